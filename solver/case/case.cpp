@@ -1,0 +1,55 @@
+#include "solver/case/case.hpp"
+
+namespace capstan {
+
+nlohmann::ordered_json to_json(const Case& c) {
+  nlohmann::ordered_json j;
+  j["shape"] = word(c.shape);
+  if (c.shape == Shape::oblate || c.shape == Shape::prolate) j["aspect"] = c.aspect;
+  j["law"] = word(c.law);
+  if (c.law == Law::skalak) j["C"] = c.C;
+  j["Ca"] = c.Ca;
+  j["V"] = c.V;
+  j["Re"] = c.Re;
+  j["E_b"] = c.E_b;
+  if (c.has_bending()) {
+    j["bending"] = word(c.bending);
+    if (const double* number = std::get_if<double>(&c.c0)) j["c0"] = *number;
+    else j["c0"] = "initial";
+  }
+  j["fluid"] = word(c.fluid);
+  j["until"] = {{"kt", c.until.kt}, {"classified", c.until.classified}};
+  nlohmann::ordered_json& f = j["fidelity"];
+  f["dx"] = c.fidelity.dx;
+  f["box"] = c.fidelity.box;
+  f["nodes"] = c.fidelity.nodes;
+  if (c.fluid == Fluid::quasisteady) {
+    f["kdt"] = c.fidelity.kdt;
+    f["tolerance"] = c.fidelity.tolerance;
+    f["scheme"] = word(c.fidelity.scheme);
+  }
+  j["outputs"] = {{"history_every", c.outputs.history_every},
+                  {"shapes_every", c.outputs.shapes_every},
+                  {"checkpoint_every", c.outputs.checkpoint_every}};
+  return j;
+}
+
+std::string_view word(Shape shape) {
+  switch (shape) {
+    case Shape::sphere: return "sphere";
+    case Shape::oblate: return "oblate";
+    case Shape::prolate: return "prolate";
+    case Shape::biconcave: break;
+  }
+  return "biconcave";
+}
+
+std::string_view word(Law law) { return law == Law::skalak ? "skalak" : "neo-hookean"; }
+
+std::string_view word(BendingModel model) {
+  return model == BendingModel::variational ? "variational" : "helfrich_literal";
+}
+
+std::string_view word(Fluid fluid) { return fluid == Fluid::quasisteady ? "quasisteady" : "transient"; }
+
+}  // namespace capstan

@@ -1,0 +1,19 @@
+#pragma once
+// The identity of a case: equal inputs and equal numerics give the same id, wherever they were asked for.
+#include <string>
+#include <string_view>
+
+#include "solver/case/case.hpp"
+
+namespace capstan {
+
+/// Raised whenever the solver's results change for the same case.
+inline constexpr int kNumericsVersion = 1;
+
+/// SHA-256 over the canonical case and the numerics version; the first 16 hexadecimal digits.
+std::string case_id(const Case& c);
+
+/// SHA-256, 64 hexadecimal digits.
+std::string sha256_hex(std::string_view bytes);
+
+}  // namespace capstan

@@ -1,0 +1,45 @@
+#pragma once
+// Accuracy against speed: the numerical settings of one run, as named presets and single knobs.
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace capstan {
+
+/// How the quasi-steady lattice flow is solved.
+enum class Scheme {
+  tuned,  ///< free numerical parameters chosen for convergence; stops on an estimate of the error
+  paper,  ///< lattice viscosity 0.04, rates 1.8, gamma 0.8, stops on the change of velocity (eq. 26)
+};
+
+struct Fidelity {
+  double dx = 0.1;          ///< lattice spacing / a
+  double box = 12.8;        ///< edge of the cubic domain / a
+  int nodes = 2562;         ///< membrane vertices: 10 * 4^n + 2
+  double kdt = 0.02;        ///< time step k*dt of the membrane
+  double tolerance = 1e-4;  ///< relative error of the membrane velocity (scheme tuned) or eq. 26 (paper)
+  Scheme scheme = Scheme::tuned;
+  bool operator==(const Fidelity&) const = default;
+};
+
+/// A named preset; `kdt` is still to be chosen by default_kdt.
+struct FidelityPreset {
+  std::string_view name;
+  std::string_view purpose;
+  Fidelity knobs;
+};
+const std::vector<FidelityPreset>& fidelity_presets();
+const FidelityPreset* find_preset(std::string_view name);
+
+/// Largest time step that was found both stable and accurate for AB2 (see the comment in fidelity.cpp).
+/// \param Ca capillary number  \param C Skalak's constant, 0 for neo-Hookean
+double default_kdt(const Fidelity& fidelity, double Ca, double C);
+
+/// Vertex counts of the subdivided icosahedron: 12, 42, 162, 642, 2562, 10242, 40962.
+std::optional<int> icosphere_subdivisions(int nodes);
+
+std::string_view word(Scheme scheme);
+
+}  // namespace capstan

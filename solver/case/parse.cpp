@@ -1,0 +1,310 @@
+#include "solver/case/parse.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace capstan {
+namespace {
+
+using nlohmann::json;
+
+std::string shown(double number) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  return {text.data(), end};
+}
+
+struct Range {
+  double low, high;
+  bool low_is_open = false;
+};
+
+/// Takes keys out of one JSON object, collecting what is wrong with them; `finish` reports the keys left over.
+class ObjectReader {
+ public:
+  ObjectReader(const json& object, std::string pointer, Issues& issues)
+      : object_(object), pointer_(std::move(pointer)), issues_(issues) {}
+
+  bool has(const char* key) const { return object_.contains(key); }
+
+  void fault(const char* key, std::string message) { issues_.push_back({pointer_ + "/" + key, std::move(message)}); }
+
+  const json* take(const char* key) {
+    known_.insert(key);
+    const auto found = object_.find(key);
+    return found == object_.end() ? nullptr : &*found;
+  }
+
+  void number(const char* key, double& value, Range range) {
+    const json* found = take(key);
+    if (!found) return;
+    if (!found->is_number()) return fault(key, std::string("must be a number, is ") + found->type_name());
+    const double given = found->get<double>();
+    const bool too_low = range.low_is_open ? !(given > range.low) : !(given >= range.low);
+    if (!std::isfinite(given) || too_low || given > range.high)
+      return fault(key, "is " + shown(given) + ", must be " + (range.low_is_open ? "> " : ">= ") + shown(range.low) +
+                            " and <= " + shown(range.high));
+    value = given;
+  }
+
+  void integer(const char* key, int& value, Range range) {
+    const json* found = take(key);
+    if (!found) return;
+    double number_value = value;
+    const size_t before = issues_.size();
+    number(key, number_value, range);
+    if (issues_.size() > before) return;
+    if (number_value != std::floor(number_value)) return fault(key, "must be a whole number");
+    value = static_cast<int>(number_value);
+  }
+
+  void boolean(const char* key, bool& value) {
+    const json* found = take(key);
+    if (!found) return;
+    if (!found->is_boolean()) return fault(key, std::string("must be true or false, is ") + found->type_name());
+    value = found->get<bool>();
+  }
+
+  /// One of the words of an enumeration.
+  template <class Enum, size_t N>
+  void choice(const char* key, Enum& value, const std::array<Enum, N>& choices) {
+    const json* found = take(key);
+    if (!found) return;
+    std::string words;
+    for (Enum option : choices) {
+      if (found->is_string() && found->get_ref<const std::string&>() == word(option)) {
+        value = option;
+        return;
+      }
+      words += (words.empty() ? "" : ", ") + std::string(word(option));
+    }
+    fault(key, "must be one of: " + words + "; is " + found->dump(-1, ' ', false, json::error_handler_t::replace));
+  }
+
+  /// A key that is only meaningful under a condition.
+  void without_effect(const char* key, bool effective, const char* why) {
+    if (!effective && has(key)) fault(key, std::string("has no effect: ") + why);
+  }
+
+  /// A reader for the object under `key`, if it is there and is one.
+  std::optional<ObjectReader> nested(const char* key) {
+    const json* found = take(key);
+    if (!found) return std::nullopt;
+    if (!found->is_object()) {
+      fault(key, std::string("must be an object, is ") + found->type_name());
+      return std::nullopt;
+    }
+    return ObjectReader(*found, pointer_ + "/" + key, issues_);
+  }
+
+  void finish() {
+    for (const auto& [key, value] : object_.items())
+      if (!known_.contains(key)) issues_.push_back({pointer_ + "/" + escaped(key), "unknown key"});
+  }
+
+ private:
+  static std::string escaped(const std::string& key) {
+    std::string text;
+    for (char c : key) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+    return text;
+  }
+
+  const json& object_;
+  std::string pointer_;
+  Issues& issues_;
+  std::set<std::string> known_;
+};
+
+void read_shape(ObjectReader& reader, Case& c) {
+  reader.choice("shape", c.shape, std::array{Shape::sphere, Shape::oblate, Shape::prolate, Shape::biconcave});
+  const bool spheroid = c.shape == Shape::oblate || c.shape == Shape::prolate;
+  reader.without_effect("aspect", spheroid, "only oblate and prolate shapes have an aspect");
+  if (!spheroid) {
+    reader.take("aspect");
+  } else if (!reader.has("aspect")) {
+    reader.fault("aspect", "is missing: the axis of revolution over the equatorial axis (b/a)");
+  } else if (c.shape == Shape::oblate) {
+    reader.number("aspect", c.aspect, {0.1, 1});
+  } else {
+    reader.number("aspect", c.aspect, {1, 5});
+  }
+}
+
+void read_membrane(ObjectReader& reader, Case& c) {
+  reader.choice("law", c.law, std::array{Law::neo_hookean, Law::skalak});
+  reader.without_effect("C", c.law == Law::skalak, "only the skalak law has the constant C");
+  if (c.law == Law::skalak) {
+    if (!reader.has("C")) reader.fault("C", "is missing: Skalak's resistance to area dilation");
+    reader.number("C", c.C, {0, 1000});
+  }
+  reader.take("C");
+  if (!reader.has("Ca")) reader.fault("Ca", "is missing: the capillary number");
+  reader.number("Ca", c.Ca, {1e-4, 100});
+  reader.number("E_b", c.E_b, {0, 10});
+  for (const char* key : {"bending", "c0"})
+    reader.without_effect(key, c.has_bending(), "E_b is 0, so there is no bending resistance");
+  reader.choice("bending", c.bending, std::array{BendingModel::variational, BendingModel::helfrich_literal});
+  const json* c0 = reader.take("c0");
+  if (c0 && c0->is_number()) {
+    double number = 0;
+    reader.number("c0", number, {-100, 100});
+    c.c0 = number;
+  } else if (c0 && *c0 != "initial") {
+    reader.fault("c0", "must be a number (in units of 1/a) or \"initial\"");
+  }
+}
+
+void read_flow(ObjectReader& reader, Case& c) {
+  reader.number("V", c.V, {0.01, 100});
+  c.Re = 0.05;
+  reader.number("Re", c.Re, {0, 10, true});
+  // The quasi-steady flow has no memory: from Re = 0.1 on it deviates (paper, fig. 10), so there it must be asked for.
+  c.fluid = c.Re >= 0.1 ? Fluid::transient : Fluid::quasisteady;
+  reader.choice("fluid", c.fluid, std::array{Fluid::quasisteady, Fluid::transient});
+}
+
+void read_until(ObjectReader& reader, Until& until) {
+  auto inner = reader.nested("until");
+  if (!inner) return;
+  inner->number("kt", until.kt, {0, 10000, true});
+  inner->boolean("classified", until.classified);
+  inner->finish();
+}
+
+void read_outputs(ObjectReader& reader, Outputs& outputs) {
+  auto inner = reader.nested("outputs");
+  if (!inner) return;
+  inner->number("history_every", outputs.history_every, {0, 1, true});
+  inner->number("shapes_every", outputs.shapes_every, {0, 10000});
+  inner->integer("checkpoint_every", outputs.checkpoint_every, {1, 1000000});
+  inner->finish();
+}
+
+/// The preset's knobs, if `name` is one.
+void start_from_preset(ObjectReader& reader, const char* key, const json& name, Fidelity& fidelity) {
+  if (name.is_string())
+    if (const FidelityPreset* preset = find_preset(name.get_ref<const std::string&>())) {
+      fidelity = preset->knobs;
+      return;
+    }
+  std::string names;
+  for (const FidelityPreset& preset : fidelity_presets()) names += (names.empty() ? "" : ", ") + std::string(preset.name);
+  reader.fault(key, "must be one of: " + names);
+}
+
+void read_knobs(ObjectReader& knobs, const Case& c, Fidelity& fidelity) {
+  if (const json* name = knobs.take("preset")) start_from_preset(knobs, "preset", *name, fidelity);
+  knobs.number("dx", fidelity.dx, {0.02, 0.5});
+  knobs.number("box", fidelity.box, {4, 100});
+  knobs.integer("nodes", fidelity.nodes, {12, 40962});
+  if (!icosphere_subdivisions(fidelity.nodes))
+    knobs.fault("nodes", "must be 12, 42, 162, 642, 2562, 10242 or 40962 (a subdivided icosahedron)");
+  const bool quasisteady = c.fluid == Fluid::quasisteady;
+  knobs.choice("scheme", fidelity.scheme, std::array{Scheme::tuned, Scheme::paper});
+  knobs.number("tolerance", fidelity.tolerance, {1e-12, 0.1});
+  for (const char* key : {"scheme", "tolerance", "kdt"})
+    knobs.without_effect(key, quasisteady, "the transient flow's time step is set by the lattice");
+}
+
+void read_fidelity(ObjectReader& reader, Case& c) {
+  const json* given = reader.take("fidelity");
+  Fidelity& fidelity = c.fidelity;
+  fidelity = find_preset("standard")->knobs;
+  std::optional<ObjectReader> knobs;
+  if (given && given->is_object()) {
+    knobs.emplace(*reader.nested("fidelity"));
+    read_knobs(*knobs, c, fidelity);
+  } else if (given) {
+    start_from_preset(reader, "fidelity", *given, fidelity);
+  }
+  fidelity.kdt = default_kdt(fidelity, c.Ca, c.C);
+  if (knobs) {
+    knobs->number("kdt", fidelity.kdt, {0, 1, true});
+    knobs->finish();
+  }
+  const double cells = fidelity.box / fidelity.dx;
+  if (std::abs(cells - std::round(cells)) > 1e-9 * cells || std::lround(cells) % 8 != 0)
+    reader.fault("fidelity", "box/dx is " + shown(cells) + ", must be a multiple of 8 so that the grid can be coarsened");
+  else if (cells > 512)
+    reader.fault("fidelity", "box/dx is " + shown(cells) + ", more than the 512 cells an edge that fit into memory");
+}
+
+}  // namespace
+
+ParsedCase parse_case(const json& object) {
+  ParsedCase parsed;
+  if (!object.is_object()) {
+    parsed.issues.push_back({"", std::string("a case must be an object, is ") + object.type_name()});
+    return parsed;
+  }
+  Case c;
+  ObjectReader reader(object, "", parsed.issues);
+  read_shape(reader, c);
+  read_membrane(reader, c);
+  read_flow(reader, c);
+  read_until(reader, c.until);
+  read_outputs(reader, c.outputs);
+  read_fidelity(reader, c);
+  reader.finish();
+  if (parsed.issues.empty()) parsed.value = c;
+  return parsed;
+}
+
+namespace {
+
+/// The library recurses when a value is destroyed, so a deep text is refused before it is parsed.
+bool nested_deeper_than(int limit, std::string_view text) {
+  int depth = 0;
+  bool in_string = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char ch = text[i];
+    if (in_string) {
+      if (ch == '\\') ++i;
+      else if (ch == '"') in_string = false;
+    } else if (ch == '"') {
+      in_string = true;
+    } else if (ch == '[' || ch == '{') {
+      if (++depth > limit) return true;
+    } else if (ch == ']' || ch == '}') {
+      --depth;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+ParsedJson parse_json(std::string_view text) {
+  constexpr int kDeepest = 32;  // a study needs four
+  ParsedJson parsed;
+  if (nested_deeper_than(kDeepest, text)) {
+    parsed.issues.push_back({"", "nested deeper than " + std::to_string(kDeepest) + " levels"});
+    return parsed;
+  }
+  std::vector<std::set<std::string>> keys;
+  const auto inspect = [&](int, json::parse_event_t event, json& value) {
+    if (event == json::parse_event_t::object_start) keys.emplace_back();
+    if (event == json::parse_event_t::object_end) keys.pop_back();
+    if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+      parsed.issues.push_back({"", "the key \"" + value.get<std::string>() + "\" stands twice in one object"});
+    return true;
+  };
+  try {
+    parsed.value = json::parse(text.begin(), text.end(), inspect);
+  } catch (const json::exception& error) {
+    parsed.issues.push_back({"", std::string("not valid JSON: ") + error.what()});
+  }
+  if (!parsed.issues.empty()) parsed.value.reset();
+  return parsed;
+}
+
+const std::vector<std::string_view>& scalar_parameters() {
+  static const std::vector<std::string_view> names = {"shape", "aspect", "law",     "C",  "Ca",   "V",
+                                                      "Re",    "E_b",    "bending", "c0", "fluid"};
+  return names;
+}
+
+}  // namespace capstan

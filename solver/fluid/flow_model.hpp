@@ -1,0 +1,37 @@
+#pragma once
+// The one interface between membrane and fluid: forces at the vertices in, velocities of the vertices out.
+#include <optional>
+#include <string>
+
+#include "solver/mesh/triangle_mesh.hpp"
+
+namespace capstan {
+
+class StateArchive;
+
+/// What one solution of the flow cost, and how sure it is.
+struct FlowReport {
+  int iterations = 0;         ///< multigrid cycles, lattice steps or matrix-vector products
+  double error = 0;           ///< estimated relative error of the vertex velocities; 0 where there is none
+  bool converged = true;      ///< false: the iteration stopped at its limit, or the flow is not finite
+};
+
+/// Flow around (and inside) one capsule in the shear flow u = (y, 0, 0). Units: a = k = mu_a = 1.
+class FlowModel {
+ public:
+  virtual ~FlowModel() = default;
+
+  /// Velocities of the membrane at time kt, for its positions and its forces on the fluid.
+  /// \param positions  3 x #V   \param forces  3 x #V, integrated over the vertex's share of the membrane
+  /// \param velocities 3 x #V, result
+  virtual FlowReport solve(double kt, const Points& positions, const Points& forces, Points& velocities) = 0;
+
+  /// The time step k*dt this model imposes, if it does (a transient lattice model steps with its lattice).
+  virtual std::optional<double> imposed_time_step() const { return std::nullopt; }
+
+  /// Everything the next solve depends on, so that a resumed run equals an uninterrupted one to the last bit.
+  virtual void save(StateArchive& archive) const = 0;
+  virtual void load(const StateArchive& archive) = 0;
+};
+
+}  // namespace capstan

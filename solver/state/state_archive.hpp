@@ -1,0 +1,50 @@
+#pragma once
+// Named arrays of numbers: what a checkpoint holds, before anyone decides on a file format.
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace capstan {
+
+class StateArchive {
+ public:
+  /// Keeps a view: the data must outlive the archive (a fluid's populations are too large to copy).
+  void put_view(const std::string& name, std::span<const double> data) { entries_[name] = {{}, data}; }
+
+  void put(const std::string& name, std::vector<double> data) {
+    Entry& entry = entries_[name];
+    entry.owned = std::move(data);
+    entry.view = entry.owned;
+  }
+
+  void put(const std::string& name, double number) { put(name, std::vector<double>{number}); }
+
+  bool contains(const std::string& name) const { return entries_.contains(name); }
+
+  /// Throws std::runtime_error when there is no such entry.
+  std::span<const double> get(const std::string& name) const {
+    const auto found = entries_.find(name);
+    if (found == entries_.end()) throw std::runtime_error("checkpoint has no entry \"" + name + "\"");
+    return found->second.view;
+  }
+
+  double number(const std::string& name) const { return get(name).front(); }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const auto& [name, entry] : entries_) all.push_back(name);
+    return all;
+  }
+
+ private:
+  struct Entry {
+    std::vector<double> owned;
+    std::span<const double> view;
+  };
+  std::map<std::string, Entry> entries_;
+};
+
+}  // namespace capstan
