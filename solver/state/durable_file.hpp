@@ -1,0 +1,36 @@
+#pragma once
+// Files that are there whole or not at all, whatever kills the process or the machine: written under a
+// temporary name beside their target, synced, renamed over it, and the directory synced.
+//
+// It stands in solver/state, the bottom of the include order, because the worker's files (checkpoint, shapes,
+// result) and the daemon's (case) are published the same way.
+#include <filesystem>
+#include <string_view>
+
+namespace capstan {
+
+/// A file in the making. Whoever has filled `temporary()` and closed it calls `publish()`; without that the
+/// target stays as it was. The temporary's name is fixed (target + ".partial"), so that what a killed process
+/// leaves is overwritten by its successor: a target has one writer at a time.
+class PendingFile {
+ public:
+  explicit PendingFile(std::filesystem::path target);
+  ~PendingFile();
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  /// Throws std::filesystem::filesystem_error naming the operation and the file.
+  void publish();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+};
+
+/// Replaces `path` by a file holding `bytes`. Throws std::filesystem::filesystem_error; the old file then
+/// stands.
+void write_durably(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace capstan
