@@ -1,6 +1,6 @@
 #pragma once
 // A closed, oriented triangle mesh: who is joined to whom. Positions live beside it, in Points.
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <vector>
 
@@ -11,8 +11,8 @@ using Points = Eigen::Matrix3Xd;  ///< 3 x #V, one column a vertex: positions / 
 using Faces = Eigen::Matrix3Xi;   ///< 3 x #F, counter-clockwise seen from outside
 using Scalars = Eigen::VectorXd;  ///< one number a vertex (or a face)
 
-/// An inner edge with its two triangles: (vertices[0], vertices[1], opposite[0]) has the orientation of face[0],
-/// (vertices[1], vertices[0], opposite[1]) that of face[1].
+/// An inner edge with its two triangles: (vertices[0], vertices[1], opposite[0]) has the orientation of
+/// face[0], (vertices[1], vertices[0], opposite[1]) that of face[1].
 struct Edge {
   std::array<int, 2> vertices;
   std::array<int, 2> opposite;
