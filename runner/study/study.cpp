@@ -1,0 +1,156 @@
+#include "runner/study/study.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "runner/study/expand.hpp"
+#include "solver/case/content_id.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::json;
+
+std::string pointer_to(const std::string& object, const std::string& key) {
+  return (json::json_pointer(object) / key).to_string();
+}
+
+std::string whole(double number) {
+  std::array<char, 400> text{};
+  return {text.data(), std::to_chars(text.begin(), text.end(), number, std::chars_format::fixed, 0).ptr};
+}
+
+/// Reads one document; what is wrong with it gathers in `issues`, at most one fault a pointer.
+class StudyReader {
+ public:
+  StudyReader(const json& document, Issues& issues) : document_(document), issues_(issues) {}
+
+  Study read() {
+    Study study;
+    study.document = document_;
+    study.name = read_name();
+    study.description = read_description();
+    study.axes = read_axes();
+    refuse_unknown_keys();
+    if (const json* base = read_base(study.axes)) study.cases = expand(*base, study.axes);
+    return study;
+  }
+
+ private:
+  void fault(const std::string& pointer, const std::string& message) {
+    if (faulty_.insert(pointer).second) issues_.push_back({pointer, message});
+  }
+
+  /// The name is a part of the study's id, which people type.
+  std::string read_name() {
+    const json name = document_.value("name", json());
+    const std::string text = name.is_string() ? name.get<std::string>() : "";
+    const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '-' || c == '_'); };
+    if (text.empty() || text.size() > 40 || !std::all_of(text.begin(), text.end(), allowed))
+      fault("/name", "must be 1 to 40 letters, digits, '-' or '_'");
+    return text;
+  }
+
+  std::string read_description() {
+    const json description = document_.value("description", json(""));
+    if (description.is_string()) return description.get<std::string>();
+    fault("/description", std::string("must be text, is ") + description.type_name());
+    return "";
+  }
+
+  void refuse_unknown_keys() {
+    static const std::set<std::string> known = {"name", "description", "base", "axes"};
+    for (const auto& [key, value] : document_.items())
+      if (!known.contains(key)) fault(pointer_to("", key), "unknown key");
+  }
+
+  std::vector<Axis> read_axes() {
+    std::vector<Axis> axes;
+    const json given = document_.value("axes", json::object());
+    if (!given.is_object()) {
+      fault("/axes", std::string("must be an object, is ") + given.type_name());
+      return axes;
+    }
+    for (const std::string_view name : axis_parameters()) {
+      const std::string parameter(name);
+      if (!given.contains(parameter)) continue;
+      if (auto axis = read_axis(parameter, given[parameter], issues_)) axes.push_back(std::move(*axis));
+      else faulty_axes_.insert(parameter);
+    }
+    refuse_other_axes(given);
+    return axes;
+  }
+
+  void refuse_other_axes(const json& given) {
+    std::string names;
+    for (const std::string_view name : axis_parameters()) names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const auto& [key, value] : given.items()) {
+      const auto& known = axis_parameters();
+      if (std::find(known.begin(), known.end(), key) == known.end())
+        fault(pointer_to("/axes", key), "cannot be an axis; these can: " + names);
+    }
+  }
+
+  const json* read_base(const std::vector<Axis>& axes) {
+    const auto base = document_.find("base");
+    if (base == document_.end()) fault("/base", "is missing: the case that the axes vary");
+    else if (!base->is_object()) fault("/base", std::string("must be an object, is ") + base->type_name());
+    if (faulty_.contains("/base")) return nullptr;
+    for (const Axis& axis : axes)
+      if (base->contains(axis.parameter())) fault("/base/" + axis.parameter(), "is an axis, too");
+    return &*base;
+  }
+
+  std::vector<Case> expand(const json& base, const std::vector<Axis>& axes) {
+    double points = product_size(axes);
+    if (points > static_cast<double>(kMostCases)) {
+      fault("/axes", "make a grid of " + whole(points) + " cases; at most " + std::to_string(kMostCases) +
+                         " are allowed");
+      points = 1;  // enough to see what else is wrong with the base
+    }
+    std::vector<Case> cases;
+    std::set<std::string> ids;
+    for (std::size_t point = 0; static_cast<double>(point) < points; ++point)
+      if (const auto made = read_case(base, axes, axis_indices(axes, point)))
+        if (ids.insert(case_id(*made)).second) cases.push_back(*made);
+    return cases;
+  }
+
+  std::optional<Case> read_case(const json& base, const std::vector<Axis>& axes, const AxisIndices& indices) {
+    ParsedCase parsed = parse_case(case_at(base, axes, indices));
+    for (const Issue& issue : parsed.issues)
+      if (!faulty_axes_.contains(first_token(issue.pointer)))
+        fault(study_pointer(issue.pointer, axes, indices), issue.message);
+    return parsed.value;
+  }
+
+  const json& document_;
+  Issues& issues_;
+  std::set<std::string> faulty_;       ///< pointers
+  std::set<std::string> faulty_axes_;  ///< parameters: that the cases lack them is no second fault
+};
+
+}  // namespace
+
+ParsedStudy parse_study(const json& document) {
+  ParsedStudy parsed;
+  if (!document.is_object()) {
+    parsed.issues.push_back({"", std::string("a study must be an object, is ") + document.type_name()});
+    return parsed;
+  }
+  Study study = StudyReader(document, parsed.issues).read();
+  if (parsed.issues.empty()) parsed.value = std::move(study);
+  return parsed;
+}
+
+ParsedStudy parse_study_text(std::string_view text) {
+  ParsedJson json = parse_json(text);
+  if (!json.value) return {std::nullopt, std::move(json.issues)};
+  return parse_study(*json.value);
+}
+
+}  // namespace capstan
