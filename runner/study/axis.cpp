@@ -68,7 +68,8 @@ double AxisRange::value(std::size_t index) const {
   const double last = count - 1;
   if (static_cast<double>(index) == last) return to;
   const double fraction = static_cast<double>(index) / last;
-  return rounded_to_six_digits(logarithmic ? from * std::pow(to / from, fraction) : from + (to - from) * fraction);
+  return rounded_to_six_digits(logarithmic ? from * std::pow(to / from, fraction)
+                                           : from + (to - from) * fraction);
 }
 
 double Axis::size() const {
@@ -88,7 +89,8 @@ std::string Axis::pointer(std::size_t index, const std::string& inner) const {
 
 std::optional<Axis> read_axis(const std::string& parameter, const json& given, Issues& issues) {
   const std::string pointer = "/axes/" + parameter;
-  if (given.is_array() && !given.empty()) return Axis(parameter, std::vector<json>(given.begin(), given.end()));
+  if (given.is_array() && !given.empty())
+    return Axis(parameter, std::vector<json>(given.begin(), given.end()));
   if (given.is_object()) {
     Issues faults;
     const AxisRange range = RangeReader(given, pointer, faults).read();

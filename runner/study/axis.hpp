@@ -40,8 +40,8 @@ class Axis {
   std::variant<std::vector<nlohmann::json>, AxisRange> values_;
 };
 
-/// Reads what stands at /axes/Ca: a list, or {"from", "to", "count", "scale"}. Nothing after a fault. What a list
-/// holds is judged with the cases that come of it.
+/// Reads what stands at /axes/Ca: a list, or {"from", "to", "count", "scale"}. Nothing after a fault. What a
+/// list holds is judged with the cases that come of it.
 std::optional<Axis> read_axis(const std::string& parameter, const nlohmann::json& json, Issues& issues);
 
 /// The parameters that may be an axis, in the order in which axes are listed: those of a case, and fidelity.

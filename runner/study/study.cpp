@@ -78,8 +78,10 @@ class StudyReader {
     for (const std::string_view name : axis_parameters()) {
       const std::string parameter(name);
       if (!given.contains(parameter)) continue;
-      if (auto axis = read_axis(parameter, given[parameter], issues_)) axes.push_back(std::move(*axis));
-      else faulty_axes_.insert(parameter);
+      if (auto axis = read_axis(parameter, given[parameter], issues_))
+        axes.push_back(std::move(*axis));
+      else
+        faulty_axes_.insert(parameter);
     }
     refuse_other_axes(given);
     return axes;
@@ -87,7 +89,8 @@ class StudyReader {
 
   void refuse_other_axes(const json& given) {
     std::string names;
-    for (const std::string_view name : axis_parameters()) names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const std::string_view name : axis_parameters())
+      names += (names.empty() ? "" : ", ") + std::string(name);
     for (const auto& [key, value] : given.items()) {
       const auto& known = axis_parameters();
       if (std::find(known.begin(), known.end(), key) == known.end())
@@ -97,8 +100,10 @@ class StudyReader {
 
   const json* read_base(const std::vector<Axis>& axes) {
     const auto base = document_.find("base");
-    if (base == document_.end()) fault("/base", "is missing: the case that the axes vary");
-    else if (!base->is_object()) fault("/base", std::string("must be an object, is ") + base->type_name());
+    if (base == document_.end())
+      fault("/base", "is missing: the case that the axes vary");
+    else if (!base->is_object())
+      fault("/base", std::string("must be an object, is ") + base->type_name());
     if (faulty_.contains("/base")) return nullptr;
     for (const Axis& axis : axes)
       if (base->contains(axis.parameter())) fault("/base/" + axis.parameter(), "is an axis, too");

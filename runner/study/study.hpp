@@ -28,8 +28,8 @@ struct ParsedStudy {
   Issues issues;               ///< pointers into the study's document
 };
 
-/// Reads and expands a study. Every fault is reported, once: one of an expanded case stands at the axis value or
-/// base key that it comes from.
+/// Reads and expands a study. Every fault is reported, once: one of an expanded case stands at the axis value
+/// or base key that it comes from.
 ParsedStudy parse_study(const nlohmann::json& document);
 
 /// The same from text, which may not even be JSON.

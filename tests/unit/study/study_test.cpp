@@ -102,8 +102,8 @@ TEST(Study, AllFaultsAreReportedTogether) {
     "axes": {"Ca": [0.1], "Re": [], "dx": [0.1], "E_b": {"from": 0, "to": "a", "scale": "log", "step": 1}}})");
   EXPECT_THAT(faults_of(document),
               UnorderedElementsAre("/name", "/typo", "/base/V", "/base/until/kt", "/base/colour", "/base/Ca",
-                                   "/axes/Re", "/axes/dx", "/axes/E_b/from", "/axes/E_b/to", "/axes/E_b/count",
-                                   "/axes/E_b/step"));
+                                   "/axes/Re", "/axes/dx", "/axes/E_b/from", "/axes/E_b/to",
+                                   "/axes/E_b/count", "/axes/E_b/step"));
 }
 
 TEST(Study, GridOfAMillionCasesIsOneMessageBeforeItIsExpanded) {
