@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs the Debian packages Capstan is built with, if any is missing (as root, or through sudo).
 set -eu
-packages="g++ cmake ninja-build pkg-config libeigen3-dev libhdf5-dev libsqlite3-dev libcpp-httplib-dev nlohmann-json3-dev
+packages="g++ cmake ninja-build pkg-config libeigen3-dev libhdf5-dev zlib1g-dev libsqlite3-dev libcpp-httplib-dev nlohmann-json3-dev
  libssl-dev libcli11-dev libgtest-dev libgmock-dev libbenchmark-dev curl"
 missing=""
 for package in $packages; do

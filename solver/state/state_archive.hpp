@@ -11,6 +11,10 @@ namespace capstan {
 
 class StateArchive {
  public:
+  StateArchive() = default;
+  StateArchive(StateArchive&&) = default;  // and no copies: the views would stay with the original
+  StateArchive& operator=(StateArchive&&) = default;
+
   /// Keeps a view: the data must outlive the archive (a fluid's populations are too large to copy).
   void put_view(const std::string& name, std::span<const double> data) { entries_[name] = {{}, data}; }
 

@@ -1,0 +1,25 @@
+#pragma once
+// The state of a run on disk: two files in turn, so that whatever happens to the one that is being written,
+// and to the newest one afterwards, there is another to resume from.
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "solver/state/state_archive.hpp"
+
+namespace capstan {
+
+/// Replaces the older (or unusable) one of checkpoint-a.h5 and checkpoint-b.h5, durably. Each entry of the
+/// archive is one array of the HDF5 file, written from where it stands in memory. Throws a std::runtime_error
+/// naming operation and file; both old files then stand.
+void write_checkpoint(const std::filesystem::path& directory, const StateArchive& state,
+                      const std::string& case_id);
+
+/// The newest checkpoint that is undamaged and belongs to this case, this numerics version and this format;
+/// none if there is no such file. Why a file was passed over goes to `on_passed_over`, one sentence a file.
+std::optional<StateArchive> read_newest_checkpoint(
+    const std::filesystem::path& directory, const std::string& case_id,
+    const std::function<void(const std::string&)>& on_passed_over = [](const std::string&) {});
+
+}  // namespace capstan
