@@ -22,7 +22,13 @@ std::string hdf5_reason() {
   throw std::runtime_error(operation + " " + path.string() + ": " + hdf5_reason());
 }
 
-void silence_error_printing() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// Errors are thrown, not printed. And no clean-up at exit: a full disk leaves HDF5 1.10 a file that it can
+/// neither write nor forget, and its clean-up then crashes. Every file is closed here, so there is nothing
+/// else to clean.
+void prepare_library() {
+  H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 /// No locks: readers never see a file in the making, and some cluster file systems refuse locks.
 hid_t access_without_locks() {
@@ -32,7 +38,7 @@ hid_t access_without_locks() {
 }
 
 hid_t create_file(const std::filesystem::path& path, hsize_t user_block) {
-  silence_error_printing();
+  prepare_library();
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   const Hdf5Handle access(access_without_locks(), H5Pclose);
   H5Pset_userblock(creation.id(), user_block);
@@ -42,7 +48,7 @@ hid_t create_file(const std::filesystem::path& path, hsize_t user_block) {
 }
 
 hid_t open_file(const std::filesystem::path& path) {
-  silence_error_printing();
+  prepare_library();
   const Hdf5Handle access(access_without_locks(), H5Pclose);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());
   if (file < 0) fail("cannot open", path);
