@@ -1,0 +1,15 @@
+// Writes the shapes of a sphere of radius 1 + kt/2 at kt = 0, 0.5, 1, 1.5 into the directory given: what
+// paraview_opens_shapes.sh looks at. It expands at the velocity x/(2 r) under the force 3 x.
+#include "solver/mesh/icosphere.hpp"
+#include "solver/simulation/shape_writer.hpp"
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const capstan::Icosphere sphere = capstan::make_icosphere(3);
+  const capstan::Points& directions = sphere.directions;
+  capstan::ShapeWriter writer(argv[1], sphere.mesh.faces);
+  for (int frame = 0; frame < 4; ++frame) {
+    const double kt = 0.5 * frame, radius = 1 + 0.5 * kt;
+    writer.write(kt, frame, radius * directions, 0.5 * directions, 3 * radius * directions);
+  }
+}
