@@ -1,0 +1,28 @@
+#include "solver/membrane/bending.hpp"
+
+#include "solver/membrane/bending_helfrich_literal.hpp"
+#include "solver/membrane/bending_juelicher.hpp"
+
+namespace capstan {
+namespace {
+
+/// The spontaneous curvature at every vertex.
+Scalars spontaneous_curvature(const Case& c, const Scalars& initial) {
+  if (const double* number = std::get_if<double>(&c.c0)) return Scalars::Constant(initial.size(), *number);
+  return initial;
+}
+
+}  // namespace
+
+std::unique_ptr<Bending> make_bending(const Case& c, const TriangleMesh& mesh, const Points& reference,
+                                      double modulus) {
+  if (!c.has_bending()) return nullptr;
+  if (c.bending == BendingModel::variational) {
+    const Scalars c0 = spontaneous_curvature(c, juelicher_curvature(mesh, reference));
+    return std::make_unique<JuelicherBending>(mesh, c0, modulus);
+  }
+  const Scalars c0 = spontaneous_curvature(c, quadric_curvature(mesh, reference));
+  return std::make_unique<HelfrichLiteralBending>(mesh, c0, modulus);
+}
+
+}  // namespace capstan

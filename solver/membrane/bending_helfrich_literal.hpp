@@ -1,0 +1,31 @@
+#pragma once
+#include "solver/membrane/bending.hpp"
+
+namespace capstan {
+
+/// 2H of the quadrics fitted around each vertex.
+Scalars quadric_curvature(const TriangleMesh& mesh, const Points& positions);
+
+/// The paper's bending force, eq. 31, term by term. On the fluid, with kappa = -H and the outward normal n,
+/// it is
+///   P = -f_b A_vor,   f_b = E_B [ (2 kappa + c0) (2 kappa^2 - 2 K - c0 kappa) + 2 Delta kappa ] n.
+/// H and K come from quadric fits, Delta from the cotangent formula. Not the gradient of any discrete energy;
+/// and with a c0 that varies it lacks Delta c0 and the tangential term: even the initial shape with c0
+/// "initial" is not at rest. Kept because the paper prints it; the class a capsule falls into depends on the
+/// difference.
+class HelfrichLiteralBending final : public Bending {
+ public:
+  /// \param spontaneous_curvature #V, c0, the preferred 2H   \param modulus E_B
+  HelfrichLiteralBending(const TriangleMesh& mesh, const Scalars& spontaneous_curvature, double modulus)
+      : mesh_(mesh), spontaneous_curvature_(spontaneous_curvature), modulus_(modulus) {}
+
+  void add_forces(const Points& positions, Points& forces) const override;
+  std::optional<double> energy(const Points&) const override { return std::nullopt; }
+
+ private:
+  TriangleMesh mesh_;
+  Scalars spontaneous_curvature_;
+  double modulus_;
+};
+
+}  // namespace capstan

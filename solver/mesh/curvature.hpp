@@ -1,0 +1,26 @@
+#pragma once
+// Curvature of a triangulated surface at its vertices. H = (k1 + k2)/2 is positive on a sphere with its
+// outward normal; K = k1 k2.
+#include "solver/mesh/triangle_mesh.hpp"
+
+namespace capstan {
+
+/// The part of the surface that is nearer to each vertex than to any other, Voronoi's, with Meyer's remedy at
+/// obtuse triangles (Meyer et al. 2003); the parts sum up to the area.
+Scalars mixed_areas(const Points& positions, const Faces& faces);
+
+/// #E: (cot alpha + cot beta)/2, alpha and beta the angles opposite to each edge.
+Scalars cotangent_weights(const TriangleMesh& mesh, const Points& positions);
+
+/// Laplace-Beltrami operator on a vertex function, the cotangent formula (paper eq. 32 with f_j - f_i, so
+/// that it is the operator itself and not its negative):  (Delta f)_i = 1/A_i sum_j (cot alpha + cot beta)/2
+/// (f_j - f_i).
+Scalars laplace_beltrami(const TriangleMesh& mesh, const Points& positions, const Scalars& values);
+
+/// H of each vertex from the cotangent formula:  Delta x = -2 H n.
+Scalars mean_curvature(const TriangleMesh& mesh, const Points& positions);
+
+/// 2 pi minus the angles around each vertex: K integrated over its share. They sum up to 4 pi (Gauss-Bonnet).
+Scalars angle_defects(const Points& positions, const Faces& faces);
+
+}  // namespace capstan
