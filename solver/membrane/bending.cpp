@@ -2,6 +2,8 @@
 
 #include "solver/membrane/bending_helfrich_literal.hpp"
 #include "solver/membrane/bending_juelicher.hpp"
+#include "solver/mesh/folded_surface.hpp"
+#include "solver/mesh/quadric_fit.hpp"
 
 namespace capstan {
 namespace {
@@ -18,10 +20,10 @@ std::unique_ptr<Bending> make_bending(const Case& c, const TriangleMesh& mesh, c
                                       double modulus) {
   if (!c.has_bending()) return nullptr;
   if (c.bending == BendingModel::variational) {
-    const Scalars c0 = spontaneous_curvature(c, juelicher_curvature(mesh, reference));
+    const Scalars c0 = spontaneous_curvature(c, FoldedSurface(mesh, reference).total_curvatures);
     return std::make_unique<JuelicherBending>(mesh, c0, modulus);
   }
-  const Scalars c0 = spontaneous_curvature(c, quadric_curvature(mesh, reference));
+  const Scalars c0 = spontaneous_curvature(c, 2 * fit_quadrics(mesh, reference).mean);
   return std::make_unique<HelfrichLiteralBending>(mesh, c0, modulus);
 }
 

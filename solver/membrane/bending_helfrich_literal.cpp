@@ -5,10 +5,6 @@
 
 namespace capstan {
 
-Scalars quadric_curvature(const TriangleMesh& mesh, const Points& positions) {
-  return 2 * fit_quadrics(mesh, positions).mean;
-}
-
 void HelfrichLiteralBending::add_forces(const Points& positions, Points& forces) const {
   const QuadricFit surface = fit_quadrics(mesh_, positions);
   const Scalars kappa = -surface.mean;

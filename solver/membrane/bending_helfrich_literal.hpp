@@ -3,9 +3,6 @@
 
 namespace capstan {
 
-/// 2H of the quadrics fitted around each vertex.
-Scalars quadric_curvature(const TriangleMesh& mesh, const Points& positions);
-
 /// The paper's bending force, eq. 31, term by term. On the fluid, with kappa = -H and the outward normal n,
 /// it is
 ///   P = -f_b A_vor,   f_b = E_B [ (2 kappa + c0) (2 kappa^2 - 2 K - c0 kappa) + 2 Delta kappa ] n.

@@ -26,11 +26,11 @@ class InPlaneElasticity {
   Principal stretches(const Points& positions) const;
 
  private:
-  /// A flat triangle with linear shape functions N_a, one a corner.
+  /// A flat triangle; undeformed its corners are (0, 0), (length, 0), (foot, height) in a frame of its plane.
   struct Element {
     std::array<int, 3> vertices;
-    Eigen::Matrix<double, 2, 3> gradients;  ///< of N_a, in an orthonormal frame of the undeformed plane
-    double area;                            ///< undeformed
+    double inverse_length, slant, inverse_height;  ///< slant = foot / length
+    double area;                                   ///< undeformed
   };
   static Element make_element(const Eigen::Vector3i& face, const Points& reference);
 

@@ -1,0 +1,21 @@
+#pragma once
+// The triangulated surface taken at its word: flat faces, all curvature in the folds along their edges.
+#include "solver/mesh/triangle_mesh.hpp"
+
+namespace capstan {
+
+struct FoldedSurface {
+  FoldedSurface(const TriangleMesh& mesh, const Points& positions);
+
+  Points normals;        ///< 3 x #F, unit, outward
+  Scalars face_areas;    ///< #F
+  Scalars vertex_areas;  ///< #V: A_i, a third of the areas of the faces around i
+  Scalars lengths;       ///< #E: l
+  Scalars angles;  ///< #E: theta between the normals of the two faces, positive where the surface is convex
+
+  /// #V: 2H_i = 1/A_i sum_edges l theta / 2, the curvature of Jülicher (J. Phys. II 6, 1797, 1996). Positive
+  /// on a sphere. Integrals of it converge; pointwise it is noisy where the faces are irregular.
+  Scalars total_curvatures;
+};
+
+}  // namespace capstan
