@@ -1,0 +1,35 @@
+#pragma once
+// Follows the capsule's orientation and the membrane's turning through whole turns.
+#include <vector>
+
+#include "solver/mesh/triangle_mesh.hpp"
+#include "solver/observe/history.hpp"
+
+namespace capstan {
+
+class StateArchive;
+
+/// Angles are unwrapped from one observation to the next, which must be close enough in time for the major
+/// axis to turn by less than pi/2 and the membrane by less than pi; near a circular section (D_xy = 0) the
+/// axis has no direction and its branch is a coin toss, which is why classify() does not rely on theta alone.
+class MotionTracker {
+ public:
+  /// \param initial 3 x #V, the positions at the start of the run, inclined by pi/4
+  MotionTracker(const Points& initial, const Faces& faces);
+
+  /// Shape and angles now; iterations and error are left to the flow.
+  Record observe(double kt, const Points& positions);
+
+  void save(StateArchive& archive) const;
+  void load(const StateArchive& archive);
+
+ private:
+  Faces faces_;
+  std::vector<int> equator_;  ///< material points that start in the plane of shear
+  double theta_;              ///< unwrapped
+  std::vector<double>
+      angles_;  ///< of those points against the major axis, on the ellipse scaled to a circle, unwrapped
+  double initial_mean_angle_;
+};
+
+}  // namespace capstan
