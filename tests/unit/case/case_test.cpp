@@ -1,0 +1,246 @@
+#include "solver/case/case.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "solver/case/content_id.hpp"
+#include "solver/case/parse.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::json;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
+
+/// The biconcave capsule of the paper's Fig. 16.
+const json kRedBloodCell = json::parse(R"({
+  "shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.4, "V": 4, "Re": 0.05, "E_b": 0.015})");
+
+json with(json object, const char* pointer, const json& value) {
+  object[json::json_pointer(pointer)] = value;
+  return object;
+}
+
+Case valid(const json& object) {
+  const ParsedCase parsed = parse_case(object);
+  EXPECT_TRUE(parsed.value) << object << "\n" << ::testing::PrintToString(parsed.issues.size());
+  return parsed.value.value_or(Case{});
+}
+
+std::vector<std::string> faulty_pointers(const json& object) {
+  std::vector<std::string> pointers;
+  for (const Issue& issue : parse_case(object).issues) pointers.push_back(issue.pointer);
+  return pointers;
+}
+
+std::string only_message(const json& object) {
+  const Issues issues = parse_case(object).issues;
+  return issues.size() == 1 ? issues.front().message : std::to_string(issues.size()) + " issues";
+}
+
+TEST(ParseCase, ReadsWhatTheFileSays) {
+  const Case c = valid(kRedBloodCell);
+  EXPECT_EQ(c.shape, Shape::biconcave);
+  EXPECT_EQ(c.law, Law::skalak);
+  EXPECT_EQ(c.C, 5);
+  EXPECT_EQ(c.Ca, 0.4);
+  EXPECT_EQ(c.V, 4);
+  EXPECT_EQ(c.E_b, 0.015);
+  EXPECT_EQ(c.bending, BendingModel::variational);
+  EXPECT_TRUE(std::holds_alternative<InitialCurvature>(c.c0));
+}
+
+TEST(ParseCase, TheCapillaryNumberAloneMakesASphere) {
+  const Case c = valid({{"Ca", 0.05}});
+  EXPECT_EQ(c.shape, Shape::sphere);
+  EXPECT_EQ(c.law, Law::neo_hookean);
+  EXPECT_EQ(c.fidelity.nodes, 2562);
+}
+
+TEST(ParseCase, ReportsAllFaultsAtOnceEachAtItsPointer) {
+  const json object = json::parse(R"({
+    "shape": "cube", "law": "skalak", "Ca": -1, "V": "four", "colour": "red",
+    "until": {"kt": 0, "patience": 1}, "fidelity": {"nodes": 1000, "dx": 0.1}, "outputs": []})");
+  EXPECT_THAT(faulty_pointers(object),
+              UnorderedElementsAre("/shape", "/C", "/Ca", "/V", "/colour", "/until/kt", "/until/patience",
+                                   "/fidelity/nodes", "/outputs"));
+}
+
+TEST(ParseCase, AFaultyCaseHasNoValue) { EXPECT_FALSE(parse_case({{"Ca", -1}}).value); }
+
+TEST(ParseCase, OnlyAnObjectIsACase) {
+  for (const json& other : {json(), json(3), json("sphere"), json::array({1, 2})})
+    EXPECT_THAT(faulty_pointers(other), ElementsAre("")) << other;
+}
+
+TEST(ParseCase, RefusesKeysItDoesNotKnow) {
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"ca", 0.1}}), HasSubstr("unknown key"));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"a/b~c", 1}}), ElementsAre("/a~1b~0c"));
+}
+
+TEST(ParseCase, RefusesKeysWithoutEffectAndSaysWhy) {
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"C", 5}}), HasSubstr("no effect"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"aspect", 0.5}}), HasSubstr("no effect"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"c0", 0}}), HasSubstr("E_b is 0"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"bending", "variational"}}), HasSubstr("E_b is 0"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"fluid", "transient"}, {"fidelity", {{"tolerance", 1e-4}}}}),
+              HasSubstr("no effect"));
+}
+
+TEST(ParseCase, RefusesNumbersThatAreNotFinite) {
+  for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const char* key : {"Ca", "V", "Re", "E_b"})
+      EXPECT_THAT(faulty_pointers(with(kRedBloodCell, (std::string("/") + key).c_str(), bad)),
+                  Contains(std::string("/") + key));
+}
+
+TEST(ParseCase, RefusesAWordWhereANumberBelongsAndTheReverse) {
+  EXPECT_THAT(only_message({{"Ca", "0.1"}}), HasSubstr("must be a number, is string"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"shape", 1}}), HasSubstr("must be one of: sphere"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"until", {{"classified", 1}}}}), HasSubstr("true or false"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"outputs", {{"checkpoint_every", 2.5}}}}),
+              HasSubstr("whole number"));
+}
+
+TEST(ParseCase, SpheroidsNeedAnAspectOnTheirSideOfOne) {
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"shape", "oblate"}}), ElementsAre("/aspect"));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"shape", "oblate"}, {"aspect", 2}}), ElementsAre("/aspect"));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"shape", "prolate"}, {"aspect", 0.5}}), ElementsAre("/aspect"));
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"shape", "prolate"}, {"aspect", 2}}).aspect, 2);
+}
+
+TEST(ParseCase, SpontaneousCurvatureIsANumberOrTheInitialOne) {
+  EXPECT_EQ(valid(with(kRedBloodCell, "/c0", -1.5)).c0, SpontaneousCurvature(-1.5));
+  EXPECT_EQ(valid(with(kRedBloodCell, "/c0", "initial")).c0, SpontaneousCurvature(InitialCurvature{}));
+  EXPECT_THAT(faulty_pointers(with(kRedBloodCell, "/c0", "flat")), ElementsAre("/c0"));
+}
+
+TEST(ParseCase, FromReynoldsOneTenthOnTheFlowIsTransientUnlessToldOtherwise) {
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"Re", 0.05}}).fluid, Fluid::quasisteady);
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"Re", 0.1}}).fluid, Fluid::transient);
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"Re", 0.1}, {"fluid", "quasisteady"}}).fluid, Fluid::quasisteady);
+}
+
+TEST(ParseCase, AGridThatCannotBeCoarsenedOrHeldIsAFault) {
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"dx", 0.11}}}}), ElementsAre("/fidelity"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"fidelity", {{"dx", 0.02}, {"box", 100}}}}), HasSubstr("memory"));
+}
+
+TEST(ParseCase, APresetIsAStartThatKnobsChange) {
+  const Case c = valid({{"Ca", 0.1}, {"fidelity", {{"preset", "fast"}, {"nodes", 162}}}});
+  EXPECT_EQ(c.fidelity.dx, 0.2);
+  EXPECT_EQ(c.fidelity.nodes, 162);
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"fidelity", "quick"}}), HasSubstr("fast, standard, fine, paper"));
+}
+
+const json kManyCases[] = {
+    kRedBloodCell,
+    {{"Ca", 0.05}},
+    with(kRedBloodCell, "/c0", 0.1),
+    with(kRedBloodCell, "/bending", "helfrich_literal"),
+    {{"Ca", 1.0 / 3}, {"shape", "oblate"}, {"aspect", 0.9}},
+    {{"Ca", 0.1}, {"Re", 0.25}},
+    {{"Ca", 0.1}, {"fidelity", "paper"}},
+};
+
+TEST(CanonicalCase, ReadsBackAsTheSameCase) {
+  for (const json& object : kManyCases) {
+    const Case c = valid(object);
+    EXPECT_EQ(valid(json(to_json(c))), c) << object;
+    EXPECT_EQ(valid(*parse_json(to_json(c).dump()).value), c) << object;
+  }
+}
+
+TEST(CanonicalCase, WritesOutEveryDefault) {
+  const Case c = valid({{"Ca", 0.05}});
+  const nlohmann::ordered_json canonical = to_json(c);
+  for (const char* key : {"shape", "law", "Ca", "V", "Re", "E_b", "fluid", "until", "fidelity", "outputs"})
+    EXPECT_TRUE(canonical.contains(key)) << key;
+  EXPECT_FALSE(canonical.contains("C"));  // without effect
+}
+
+TEST(CaseId, IsSharedByEqualCasesHoweverTheyAreWritten) {
+  const Case written = valid(json::parse(R"({"Ca": 0.40, "V": 4.0e0, "law": "skalak", "C": 5.0, "E_b": 15e-3,
+      "shape": "biconcave", "c0": "initial", "fidelity": "standard"})"));
+  EXPECT_EQ(case_id(written), case_id(valid(kRedBloodCell)));
+}
+
+TEST(CaseId, IsChangedByEveryParameter) {
+  const std::pair<const char*, json> changes[] = {{"/shape", "sphere"},
+                                                  {"/C", 6},
+                                                  {"/Ca", 0.41},
+                                                  {"/V", 3},
+                                                  {"/Re", 0.06},
+                                                  {"/E_b", 0.016},
+                                                  {"/bending", "helfrich_literal"},
+                                                  {"/c0", 0},
+                                                  {"/fluid", "transient"},
+                                                  {"/until/kt", 31},
+                                                  {"/until/classified", true},
+                                                  {"/fidelity/dx", 0.2},
+                                                  {"/fidelity/box", 6.4},
+                                                  {"/fidelity/nodes", 642},
+                                                  {"/fidelity/kdt", 0.011},
+                                                  {"/fidelity/tolerance", 1e-5},
+                                                  {"/fidelity/scheme", "paper"},
+                                                  {"/outputs/history_every", 0.2},
+                                                  {"/outputs/shapes_every", 2},
+                                                  {"/outputs/checkpoint_every", 7}};
+  std::set<std::string> ids = {case_id(valid(kRedBloodCell))};
+  for (const auto& [pointer, value] : changes)
+    EXPECT_TRUE(ids.insert(case_id(valid(with(kRedBloodCell, pointer, value)))).second) << pointer;
+  json neo_hookean = with(kRedBloodCell, "/law", "neo-hookean");
+  neo_hookean.erase("C");
+  EXPECT_TRUE(ids.insert(case_id(valid(neo_hookean))).second);
+  const json oblate = {{"Ca", 0.1}, {"shape", "oblate"}, {"aspect", 0.5}};
+  EXPECT_NE(case_id(valid(oblate)), case_id(valid(with(oblate, "/aspect", 0.6))));
+}
+
+TEST(CaseId, IsSixteenHexadecimalDigits) {
+  EXPECT_THAT(case_id(valid(kRedBloodCell)), ::testing::MatchesRegex("[0-9a-f]{16}"));
+}
+
+TEST(Sha256, OfAbcIsThatOfTheStandard) {
+  EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(ParseJson, RefusesTextsNestedSoDeepThatTheyWouldBreakTheStack) {
+  const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+  const ParsedJson parsed = parse_json(deep);
+  EXPECT_FALSE(parsed.value);
+  ASSERT_EQ(parsed.issues.size(), 1u);
+  EXPECT_THAT(parsed.issues[0].message, HasSubstr("deeper than 32"));
+  EXPECT_TRUE(parse_json(std::string(32, '[') + std::string(32, ']')).value);
+}
+
+TEST(ParseJson, BracketsInsideStringsAreNoDepth) {
+  EXPECT_TRUE(parse_json("[\"" + std::string(1000, '[') + "\\\"[[\"]").value);
+}
+
+TEST(ParseJson, RefusesNumbersThatOverflowAndWordsThatAreNoNumbers) {
+  for (const char* text : {R"({"Ca": 1e999})", R"({"Ca": NaN})", R"({"Ca": Infinity})"}) {
+    const ParsedJson parsed = parse_json(text);
+    EXPECT_FALSE(parsed.value) << text;
+    EXPECT_EQ(parsed.issues.size(), 1u) << text;
+  }
+}
+
+TEST(ParseJson, RefusesAKeyThatStandsTwice) {
+  EXPECT_THAT(parse_json(R"({"Ca": 0.1, "Ca": 0.2})").issues.at(0).message, HasSubstr("\"Ca\" stands twice"));
+  EXPECT_THAT(parse_json(R"({"a": {"x": 1}, "b": {"x": 1}})").issues, IsEmpty());
+}
+
+TEST(ParseJson, RefusesATextCutAnywhere) {
+  const std::string text = kRedBloodCell.dump();
+  for (size_t length = 0; length < text.size(); ++length)
+    EXPECT_FALSE(parse_json(text.substr(0, length)).value) << length;
+}
+
+}  // namespace
+}  // namespace capstan
