@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "runner/cli/commands.hpp"
+#include "runner/execute/local_executor.hpp"
 
 namespace capstan {
 
@@ -15,7 +16,10 @@ Action declare_solve(CLI::App& command, const SolveCase& solve) {
   command.footer(
       "A run that was killed goes on where it stood when the same command is given again.\n"
       "Example:\n  capstan solve case.json --out runs/first\n");
-  return [arguments, solve] { return solve(arguments->case_file, arguments->out); };
+  return [arguments, solve] {
+    end_with_daemon();
+    return solve(arguments->case_file, arguments->out);
+  };
 }
 
 }  // namespace capstan

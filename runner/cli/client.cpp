@@ -1,0 +1,49 @@
+#include "runner/cli/client.hpp"
+
+#include <httplib.h>
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+[[noreturn]] void refuse(const httplib::Response& response) {
+  const ordered_json body = ordered_json::parse(response.body, nullptr, false);
+  if (!body.is_object() || !body.contains("detail"))
+    throw std::runtime_error("the server answered with status " + std::to_string(response.status));
+  Issues issues;
+  if (body.contains("errors"))
+    for (const ordered_json& error : body["errors"]) issues.push_back({error["pointer"], error["detail"]});
+  throw Refused(response.status, body["detail"], issues);
+}
+
+ordered_json content(const httplib::Result& result, const std::string& server) {
+  if (!result)
+    throw Unreachable("no server answers at " + server + " (" + httplib::to_string(result.error()) +
+                      ")\nStart one with:  capstan serve\nor say where it is with:  --server URL");
+  if (result->status >= 300) refuse(*result);
+  return ordered_json::parse(result->body);
+}
+
+}  // namespace
+
+Client::Client(const std::string& server)
+    : server_(server), http_(std::make_unique<httplib::Client>(server)) {
+  if (!http_->is_valid())
+    throw std::invalid_argument("\"" + server + "\" is no URL such as " + kDefaultServer);
+  http_->set_read_timeout(60);
+}
+
+Client::~Client() = default;
+
+ordered_json Client::get(const std::string& path) { return content(http_->Get(path), server_); }
+
+ordered_json Client::post(const std::string& path, const std::string& body) {
+  return content(http_->Post(path, body, "application/json"), server_);
+}
+
+void add_server_option(CLI::App& command, std::string& server) {
+  command.add_option("--server", server, "the server to ask")->type_name("URL")->capture_default_str();
+}
+
+}  // namespace capstan

@@ -1,0 +1,50 @@
+#pragma once
+// A client of the server: JSON in and out, failures as exceptions that say what to do.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "solver/case/parse.hpp"
+
+namespace httplib {
+class Client;
+}
+
+namespace capstan {
+
+inline constexpr const char* kDefaultServer = "http://127.0.0.1:8017";
+
+/// No server answers.
+class Unreachable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The server refused (problem+json).
+class Refused : public std::runtime_error {
+ public:
+  Refused(int http_status, const std::string& detail, Issues found)
+      : std::runtime_error(detail), status(http_status), issues(std::move(found)) {}
+  int status;
+  Issues issues;
+};
+
+class Client {
+ public:
+  explicit Client(const std::string& server);
+  ~Client();
+
+  nlohmann::ordered_json get(const std::string& path);
+  nlohmann::ordered_json post(const std::string& path, const std::string& body);
+
+ private:
+  std::string server_;
+  std::unique_ptr<httplib::Client> http_;
+};
+
+/// Declares --server.
+void add_server_option(CLI::App& command, std::string& server);
+
+}  // namespace capstan

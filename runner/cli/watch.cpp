@@ -1,0 +1,63 @@
+#include "runner/cli/watch.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+#include "runner/cli/commands.hpp"
+#include "runner/cli/progress.hpp"
+#include "runner/execute/exit_code.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+int exit_code_of(const ordered_json& cases) {
+  return cases["done"] == cases["total"] ? kExitDone : kExitNoAnswer;
+}
+
+void report_failures(Client& client, const std::string& study_id, std::ostream& out) {
+  for (const char* state : {"failed", "diverged"}) {
+    const std::string path = "/v1/studies/" + study_id + "/cases?state=" + state;
+    const ordered_json answer = client.get(path);
+    for (const ordered_json& shown : answer["cases"])
+      out << "case " << shown["id"].get<std::string>() << ' ' << state << ": "
+          << shown["message"].get<std::string>() << '\n';
+  }
+}
+
+}  // namespace
+
+int watch_study(Client& client, const std::string& study_id, std::ostream& out, bool is_terminal) {
+  constexpr std::chrono::milliseconds kInterval{500};
+  ProgressLine line(out, is_terminal);
+  for (;; std::this_thread::sleep_for(kInterval)) {
+    const ordered_json study = client.get("/v1/studies/" + study_id);
+    line.show(study);
+    const ordered_json& cases = study["cases"];
+    if (cases["queued"] > 0 || cases["running"] > 0) continue;
+    line.finish();
+    report_failures(client, study_id, out);
+    return exit_code_of(cases);
+  }
+}
+
+Action declare_watch(CLI::App& command) {
+  struct Arguments {
+    std::string id, server = kDefaultServer;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  command.add_option("ID", arguments->id, "the study")->required();
+  add_server_option(command, arguments->server);
+  command.footer("Example:\n  capstan watch quickstart-3f9c\n");
+  return [arguments] {
+    Client client(arguments->server);
+    return watch_study(client, arguments->id, std::cout, isatty(STDOUT_FILENO) == 1);
+  };
+}
+
+}  // namespace capstan

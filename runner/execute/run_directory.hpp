@@ -1,0 +1,33 @@
+#pragma once
+// The directory of one run, as the daemon sees it (schema/run_directory.md).
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace capstan {
+
+class RunDirectory {
+ public:
+  explicit RunDirectory(std::filesystem::path path) : path_(std::move(path)) {}
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path case_file() const { return path_ / "case.json"; }
+  std::filesystem::path history_file() const { return path_ / "history.jsonl"; }
+  std::filesystem::path result_file() const { return path_ / "result.json"; }
+  std::filesystem::path log_file() const { return path_ / "log"; }
+
+  /// Makes the directory and the case file, if they are not there yet.
+  void prepare(const std::string& case_document) const;
+
+  /// result.json, if the run has ended and left one that can be read.
+  std::optional<nlohmann::ordered_json> result() const;
+
+  /// The end of what the process said, at most `size` bytes and from the start of a line.
+  std::string log_tail(std::size_t size = 2000) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace capstan

@@ -1,0 +1,119 @@
+#include "runner/queue/database.hpp"
+
+#include <limits>
+
+#include "runner/queue/schema.hpp"
+
+namespace capstan {
+namespace {
+
+[[noreturn]] void fail(sqlite3* connection, const std::string& operation) {
+  const char* name = connection ? sqlite3_db_filename(connection, "main") : nullptr;
+  const char* why = connection ? sqlite3_errmsg(connection) : "out of memory";
+  throw DatabaseError("database " + std::string(name ? name : "") + ": " + operation + ": " + why);
+}
+
+}  // namespace
+
+Statement::Statement(sqlite3* connection, std::string_view sql) : connection_(connection) {
+  sqlite3_stmt* statement = nullptr;
+  const int code =
+      sqlite3_prepare_v2(connection, sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
+  statement_.reset(statement);
+  if (code != SQLITE_OK) fail(connection, std::string(sql));
+}
+
+void Statement::check(int code) const {
+  if (code != SQLITE_OK) fail(connection_, sqlite3_sql(statement_.get()));
+}
+
+void Statement::bind(int index, std::int64_t value) {
+  check(sqlite3_bind_int64(statement_.get(), index, value));
+}
+
+void Statement::bind(int index, double value) { check(sqlite3_bind_double(statement_.get(), index, value)); }
+
+void Statement::bind(int index, std::string_view value) {
+  const auto size = static_cast<int>(value.size());
+  check(sqlite3_bind_text(statement_.get(), index, value.data(), size, SQLITE_TRANSIENT));
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(statement_.get());
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) return false;
+  fail(connection_, sqlite3_sql(statement_.get()));
+}
+
+bool Statement::is_null(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
+
+double Statement::real(int column) const {
+  if (is_null(column)) return std::numeric_limits<double>::quiet_NaN();
+  return sqlite3_column_double(statement_.get(), column);
+}
+
+std::string Statement::text(int column) const {
+  const unsigned char* bytes = sqlite3_column_text(statement_.get(), column);
+  const int size = sqlite3_column_bytes(statement_.get(), column);
+  return bytes ? std::string(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size))
+               : std::string();
+}
+
+Database::Database(const std::filesystem::path& file, Access access) {
+  const int flags =
+      access == Access::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY;
+  sqlite3* connection = nullptr;
+  const int code = sqlite3_open_v2(file.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX, nullptr);
+  connection_.reset(connection);
+  if (code != SQLITE_OK) fail(connection, "open " + file.string());
+  sqlite3_busy_timeout(connection, 5000);
+  if (access == Access::write) prepare_for_writing();
+}
+
+/// An answered submission must survive a power failure: FULL syncs the log at every commit.
+void Database::prepare_for_writing() {
+  execute_script("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
+  Statement version = query("PRAGMA user_version");
+  version.step();
+  const std::int64_t found = version.integer(0);
+  if (found == 0) return create_tables();
+  if (found != kQueueSchemaVersion)
+    throw DatabaseError("the database has format " + std::to_string(found) + ", this program reads format " +
+                        std::to_string(kQueueSchemaVersion));
+}
+
+void Database::create_tables() {
+  Transaction transaction(*this);
+  execute_script(kQueueSchema);
+  execute_script(("PRAGMA user_version = " + std::to_string(kQueueSchemaVersion)).c_str());
+  transaction.commit();
+}
+
+void Database::execute_script(const char* sql) {
+  if (sqlite3_exec(connection_.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK)
+    fail(connection_.get(), sql);
+}
+
+/// IMMEDIATE: a transaction that reads first and then writes would fail when another one wrote in between.
+Transaction::Transaction(Database& database) : database_(database), is_open_(!database.in_transaction()) {
+  if (is_open_) database_.execute_script("BEGIN IMMEDIATE");
+}
+
+Transaction::~Transaction() {
+  if (!is_open_) return;
+  try {
+    if (database_.in_transaction()) database_.execute_script("ROLLBACK");
+  } catch (const DatabaseError&) {  // the connection is broken, and SQLite has rolled back
+  }
+}
+
+void Transaction::commit() {
+  if (is_open_) database_.execute_script("COMMIT");
+  is_open_ = false;
+}
+
+}  // namespace capstan

@@ -1,0 +1,115 @@
+#pragma once
+// SQLite with values in and out, errors as exceptions, and nothing left open.
+#include <sqlite3.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "runner/queue/clock.hpp"
+
+namespace capstan {
+
+/// Names the database file and what failed.
+class DatabaseError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One SQL statement with its values bound; rows come one by one.
+class Statement {
+ public:
+  Statement(sqlite3* connection, std::string_view sql);
+
+  /// Binds parameter ?1, ?2, … in the order of the arguments.
+  template <class... Values>
+  void bind_all(const Values&... values) {
+    int index = 0;
+    (bind(++index, values), ...);
+  }
+  void bind(int index, std::int64_t value);
+  void bind(int index, int value) { bind(index, static_cast<std::int64_t>(value)); }
+  void bind(int index, double value);  ///< NaN becomes NULL
+  void bind(int index, std::string_view value);
+  void bind(int index, const std::string& value) { bind(index, std::string_view(value)); }
+  void bind(int index, const char* value) { bind(index, std::string_view(value)); }
+  void bind(int index, Time value) {
+    bind(index, static_cast<std::int64_t>(value.time_since_epoch().count()));
+  }
+
+  /// True while there is a row to read.
+  bool step();
+
+  bool is_null(int column) const;
+  std::int64_t integer(int column) const;
+  double real(int column) const;  ///< NaN for NULL
+  std::string text(int column) const;
+
+ private:
+  void check(int code) const;
+
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+  };
+  sqlite3* connection_;
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+};
+
+/// One connection. There is one writer a process, and it is not shared between threads without a lock;
+/// readers are as many as wanted and see the last commit.
+class Database {
+ public:
+  enum class Access { write, read };
+
+  /// A writer makes the database and its tables if they are not there.
+  Database(const std::filesystem::path& file, Access access);
+
+  template <class... Values>
+  Statement query(std::string_view sql, const Values&... values) {
+    Statement statement(connection_.get(), sql);
+    statement.bind_all(values...);
+    return statement;
+  }
+
+  /// Runs a statement to its end; the number of rows that it changed.
+  template <class... Values>
+  int execute(std::string_view sql, const Values&... values) {
+    Statement statement = query(sql, values...);
+    while (statement.step()) {
+    }
+    return sqlite3_changes(connection_.get());
+  }
+
+  void execute_script(const char* sql);
+  bool in_transaction() const { return sqlite3_get_autocommit(connection_.get()) == 0; }
+
+ private:
+  void prepare_for_writing();
+  void create_tables();
+
+  struct Close {
+    void operator()(sqlite3* connection) const { sqlite3_close_v2(connection); }
+  };
+  std::unique_ptr<sqlite3, Close> connection_;
+};
+
+/// All or nothing. Inside another transaction it is a part of that one, and undone with it.
+class Transaction {
+ public:
+  explicit Transaction(Database& database);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  void commit();
+
+ private:
+  Database& database_;
+  bool is_open_;  ///< and to be ended here
+};
+
+}  // namespace capstan

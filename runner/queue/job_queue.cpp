@@ -1,0 +1,216 @@
+#include "runner/queue/job_queue.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <random>
+
+#include "solver/case/content_id.hpp"
+
+namespace capstan {
+namespace {
+
+std::string_view word(Ending ending) {
+  switch (ending) {
+    case Ending::done:
+      return "done";
+    case Ending::failed:
+      return "failed";
+    case Ending::diverged:
+      break;
+  }
+  return "diverged";
+}
+
+/// 128 random bits: no two claims share a token.
+std::string new_token() {
+  std::random_device entropy;
+  std::string token;
+  for (int i = 0; i < 4; ++i) token += std::to_string(entropy()) + (i < 3 ? "-" : "");
+  return token;
+}
+
+nlohmann::json listed(const std::vector<Axis>& axes) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Axis& axis : axes) {
+    nlohmann::json values = nlohmann::json::array();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(axis.size()); ++i) values.push_back(axis.value(i));
+    list.push_back({{"parameter", axis.parameter()}, {"values", values}});
+  }
+  return list;
+}
+
+Claim read_claim(const Statement& row) {
+  return {row.text(0), row.text(1), row.text(2), static_cast<int>(row.integer(3)), row.text(4)};
+}
+
+}  // namespace
+
+Submission JobQueue::submit(const Study& study) {
+  const std::string document = study.document.dump();
+  const std::string hash = sha256_hex(document);
+  Transaction transaction(database_);
+  Statement known = database_.query("SELECT id FROM studies WHERE document_hash = ?", hash);
+  Submission submission;
+  submission.is_new = !known.step();
+  submission.study_id = submission.is_new ? study_id_for(study, hash) : known.text(0);
+  if (submission.is_new)
+    database_.execute(
+        "INSERT INTO studies (id, name, description, document, document_hash, axes, submitted_at)"
+        " VALUES (?, ?, ?, ?, ?, ?, ?)",
+        submission.study_id, study.name, study.description, document, hash, listed(study.axes).dump(),
+        clock_.now());
+  else
+    database_.execute("UPDATE studies SET cancelled_at = NULL WHERE id = ?", submission.study_id);
+  add_cases(submission.study_id, study);
+  transaction.commit();
+  return submission;
+}
+
+/// The name in small letters and as many digits of the hash as make it unique, four as a rule: "fig16a-3f9c".
+std::string JobQueue::study_id_for(const Study& study, const std::string& hash) {
+  std::string name = study.name;
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  for (std::size_t digits = 4;; ++digits) {
+    const std::string id = name + "-" + hash.substr(0, digits);
+    if (!database_.query("SELECT 1 FROM studies WHERE id = ?", id).step()) return id;
+  }
+}
+
+void JobQueue::add_cases(const std::string& study_id, const Study& study) {
+  int position = 0;
+  for (const Case& c : study.cases) {
+    const std::string id = case_id(c);
+    database_.execute("INSERT INTO cases (id, document) VALUES (?, ?) ON CONFLICT (id) DO NOTHING", id,
+                      to_json(c).dump());
+    database_.execute("UPDATE cases SET state = 'queued', message = '' WHERE id = ? AND state = 'cancelled'",
+                      id);
+    database_.execute("UPDATE cases SET cancel_requested = 0 WHERE id = ?", id);
+    database_.execute("INSERT INTO study_cases VALUES (?, ?, ?) ON CONFLICT DO NOTHING", study_id, position++,
+                      id);
+  }
+}
+
+bool JobQueue::cancel(const std::string& study_id) {
+  Transaction transaction(database_);
+  const int known =
+      database_.execute("UPDATE studies SET cancelled_at = ? WHERE id = ?", clock_.now(), study_id);
+  if (known == 0) return false;
+  const std::string unwanted =
+      " AND id IN (SELECT case_id FROM study_cases WHERE study_id = ?) AND NOT EXISTS (SELECT 1 FROM "
+      "study_cases w"
+      " JOIN studies s ON s.id = w.study_id WHERE w.case_id = cases.id AND s.cancelled_at IS NULL)";
+  database_.execute(
+      "UPDATE cases SET state = 'cancelled', message = 'cancelled by the user' WHERE state = 'queued'" +
+          unwanted,
+      study_id);
+  database_.execute("UPDATE cases SET cancel_requested = 1 WHERE state = 'running'" + unwanted, study_id);
+  transaction.commit();
+  return true;
+}
+
+std::optional<Claim> JobQueue::claim() {
+  Transaction transaction(database_);
+  const Time now = clock_.now();
+  Statement row = database_.query(
+      "UPDATE cases SET state = 'running', message = '', attempt = attempt + 1, token = ?1, lease_until = ?2"
+      " WHERE number = (SELECT number FROM cases WHERE state = 'queued' ORDER BY number LIMIT 1)"
+      " RETURNING id, document, token, attempt, ''",
+      new_token(), Time(now + kLease));
+  if (!row.step()) return std::nullopt;
+  const Claim claim = read_claim(row);
+  row.step();
+  database_.execute("INSERT INTO attempts (case_id, attempt, started_at) VALUES (?, ?, ?)", claim.case_id,
+                    claim.attempt, now);
+  transaction.commit();
+  return claim;
+}
+
+void JobQueue::started(const Claim& claim, const std::string& handle) {
+  Transaction transaction(database_);
+  database_.execute("UPDATE attempts SET handle = ? WHERE case_id = ? AND attempt = ?", handle, claim.case_id,
+                    claim.attempt);
+  transaction.commit();
+}
+
+bool JobQueue::renew(const Claim& claim) {
+  Transaction transaction(database_);
+  const int renewed = database_.execute("UPDATE cases SET lease_until = ? WHERE id = ? AND token = ?",
+                                        Time(clock_.now() + kLease), claim.case_id, claim.token);
+  transaction.commit();
+  return renewed > 0;
+}
+
+/// Closes the claim's attempt and takes the token back; false if it held no longer.
+bool JobQueue::end_attempt(const Claim& claim, std::string_view ending, const std::string& reason) {
+  const int held =
+      database_.execute("UPDATE cases SET token = NULL, lease_until = NULL WHERE id = ? AND token = ?",
+                        claim.case_id, claim.token);
+  if (held == 0) return false;
+  database_.execute(
+      "UPDATE attempts SET ended_at = ?, ending = ?, reason = ? WHERE case_id = ? AND attempt = ?",
+      clock_.now(), ending, reason, claim.case_id, claim.attempt);
+  return true;
+}
+
+bool JobQueue::finish(const Claim& claim, Ending ending, const std::string& message) {
+  Transaction transaction(database_);
+  if (!end_attempt(claim, word(ending), message)) return false;
+  database_.execute("UPDATE cases SET state = ?, message = ?, cancel_requested = 0 WHERE id = ?",
+                    word(ending), message, claim.case_id);
+  transaction.commit();
+  return true;
+}
+
+bool JobQueue::interrupted(const Claim& claim, const std::string& reason) {
+  Transaction transaction(database_);
+  if (!end_attempt(claim, "interrupted", reason)) return false;
+  database_.execute(
+      "UPDATE cases SET state = iif(cancel_requested, 'cancelled', 'queued'),"
+      " message = iif(cancel_requested, 'cancelled by the user', ?), cancel_requested = 0 WHERE id = ?",
+      reason, claim.case_id);
+  transaction.commit();
+  return true;
+}
+
+bool JobQueue::crashed(const Claim& claim, const std::string& reason) {
+  Transaction transaction(database_);
+  if (!end_attempt(claim, "crashed", reason)) return false;
+  database_.execute(
+      "UPDATE cases SET crashes = crashes + 1, message = ?1, cancel_requested = 0,"
+      " state = CASE WHEN cancel_requested THEN 'cancelled' WHEN crashes + 1 < ?2 THEN 'queued' ELSE "
+      "'failed' END"
+      " WHERE id = ?3",
+      reason, kMostCrashes, claim.case_id);
+  transaction.commit();
+  return true;
+}
+
+bool JobQueue::is_to_be_cancelled(const Claim& claim) {
+  return database_
+      .query("SELECT 1 FROM cases WHERE id = ? AND token = ? AND cancel_requested", claim.case_id,
+             claim.token)
+      .step();
+}
+
+std::vector<Claim> JobQueue::running() {
+  std::vector<Claim> claims;
+  Statement row = database_.query(
+      "SELECT c.id, c.document, c.token, c.attempt, a.handle FROM cases c"
+      " JOIN attempts a ON a.case_id = c.id AND a.attempt = c.attempt WHERE c.state = 'running'");
+  while (row.step()) claims.push_back(read_claim(row));
+  return claims;
+}
+
+int JobQueue::give_back_expired() {
+  Transaction transaction(database_);
+  std::vector<Claim> expired;
+  Statement row = database_.query(
+      "SELECT id, document, token, attempt, '' FROM cases WHERE state = 'running' AND lease_until < ?",
+      clock_.now());
+  while (row.step()) expired.push_back(read_claim(row));
+  for (const Claim& claim : expired) interrupted(claim, "its lease expired: nobody was heard of it");
+  transaction.commit();
+  return static_cast<int>(expired.size());
+}
+
+}  // namespace capstan

@@ -1,0 +1,83 @@
+#pragma once
+// The queue's whole vocabulary. A case is executed at least once and its result is recorded exactly once:
+//
+//   queued ──claim──▶ running ──finish──▶ done | failed | diverged
+//     ▲                  │
+//     └─────give back────┘   interrupted, lease expired, crashed (a second crash: failed)
+//
+// A cancelled study's cases end as cancelled, unless another study wants them.
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runner/queue/clock.hpp"
+#include "runner/queue/database.hpp"
+#include "runner/study/study.hpp"
+
+namespace capstan {
+
+enum class Ending { done, failed, diverged };
+
+struct Submission {
+  std::string study_id;
+  bool is_new = false;
+};
+
+/// The right to run one case; every later word about that run shows the token.
+struct Claim {
+  std::string case_id;
+  std::string document;  ///< case.json
+  std::string token;
+  int attempt = 0;
+  std::string handle;  ///< the executor's name of the run, once it has started
+};
+
+class JobQueue {
+ public:
+  static constexpr std::chrono::seconds kLease{60};
+  static constexpr std::chrono::seconds kHeartbeat{10};  ///< a sixth of the lease
+  static constexpr int kMostCrashes = 2;
+
+  /// \param database  the writer; whoever shares the queue between threads locks
+  JobQueue(Database& database, const Clock& clock) : database_(database), clock_(clock) {}
+
+  /// Equal cases are one case, and the same study again is the same study: its cancelled cases are queued
+  /// again.
+  Submission submit(const Study& study);
+
+  /// False if there is no such study. Queued cases are cancelled at once, running ones marked for it.
+  bool cancel(const std::string& study_id);
+
+  /// The case that has waited longest, if one waits.
+  std::optional<Claim> claim();
+
+  /// Remembers how the executor names the run.
+  void started(const Claim& claim, const std::string& handle);
+
+  // The following return false when the token holds no longer: then nothing is recorded, and the run is to
+  // end.
+  bool renew(const Claim& claim);
+  bool finish(const Claim& claim, Ending ending, const std::string& message);
+  bool interrupted(const Claim& claim, const std::string& reason);
+  bool crashed(const Claim& claim, const std::string& reason);
+
+  bool is_to_be_cancelled(const Claim& claim);
+
+  /// All claims, to reconcile with the run directories when the daemon starts.
+  std::vector<Claim> running();
+
+  /// Gives back the cases whose holders have not renewed; their number.
+  int give_back_expired();
+
+ private:
+  std::string study_id_for(const Study& study, const std::string& hash);
+  void add_cases(const std::string& study_id, const Study& study);
+  bool end_attempt(const Claim& claim, std::string_view ending, const std::string& reason);
+
+  Database& database_;
+  const Clock& clock_;
+};
+
+}  // namespace capstan

@@ -1,0 +1,90 @@
+#include "runner/results/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class... Format>
+std::string number_text(double number, Format... format) {
+  std::array<char, 64> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number, format...).ptr};
+}
+
+std::string short_text(const ordered_json& value) {
+  if (value.is_number_float()) return number_text(value.get<double>(), std::chars_format::general, 4);
+  const std::string text = plain(value);
+  return text.substr(0, text.find('\n'));  // the rest of a message is for `show`
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of("\",\n\r") == std::string::npos) return text;
+  std::string inside;
+  for (char c : text) inside += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return '"' + inside + '"';
+}
+
+std::string aligned_left(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, text.size()), ' ');
+}
+
+std::size_t width_of(const Table& table, std::size_t column) {
+  std::size_t width = table.columns[column].size();
+  for (const auto& row : table.rows) width = std::max(width, short_text(row[column]).size());
+  return width;
+}
+
+bool is_numeric(const Table& table, std::size_t column) {
+  const auto is_no_word = [&](const auto& row) { return !row[column].is_string(); };
+  return std::all_of(table.rows.begin(), table.rows.end(), is_no_word);
+}
+
+void drop_trailing_spaces(std::string& line) { line.erase(line.find_last_not_of(' ') + 1); }
+
+}  // namespace
+
+std::string plain(const ordered_json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return number_text(value.get<double>());
+  return value.dump();
+}
+
+std::string aligned_right(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+std::string as_text(const Table& table) {
+  std::vector<std::string> lines(table.rows.size() + 1);
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    const std::size_t width = width_of(table, column);
+    const auto aligned = is_numeric(table, column) ? aligned_right : aligned_left;
+    lines[0] += aligned(table.columns[column], width) + "  ";
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+      lines[row + 1] += aligned(short_text(table.rows[row][column]), width) + "  ";
+  }
+  std::string text;
+  for (std::string& line : lines) {
+    drop_trailing_spaces(line);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string as_csv(const Table& table) {
+  std::string text;
+  const auto add_line = [&](const auto& row, const auto& text_of) {
+    for (std::size_t column = 0; column < row.size(); ++column)
+      text += (column > 0 ? "," : "") + quoted(text_of(row[column]));
+    text += "\r\n";
+  };
+  add_line(table.columns, [](const std::string& name) { return name; });
+  for (const auto& row : table.rows) add_line(row, [](const ordered_json& value) { return plain(value); });
+  return text;
+}
+
+}  // namespace capstan

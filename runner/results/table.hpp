@@ -1,0 +1,26 @@
+#pragma once
+// Rows of values as text: aligned columns for people, CSV for programs.
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace capstan {
+
+struct Table {
+  std::vector<std::string> columns;
+  std::vector<std::vector<nlohmann::ordered_json>> rows;
+};
+
+/// A value as people write it: words without quotes, shortest round-trip numbers ("1", not "1.0"), "" for
+/// null.
+std::string plain(const nlohmann::ordered_json& value);
+
+std::string aligned_right(const std::string& text, std::size_t width);
+
+/// Numbers aligned right and rounded to four digits, words left.
+std::string as_text(const Table& table);
+
+/// RFC 4180, with a header; numbers in full.
+std::string as_csv(const Table& table);
+
+}  // namespace capstan

@@ -1,0 +1,11 @@
+#pragma once
+// Times as people and programs read them.
+#include <cstdint>
+#include <string>
+
+namespace capstan {
+
+/// RFC 3339, UTC, to the second: "2026-01-31T12:00:00Z".
+std::string timestamp(std::int64_t milliseconds_since_1970);
+
+}  // namespace capstan

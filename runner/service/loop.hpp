@@ -1,0 +1,18 @@
+#pragma once
+// The daemon's life: ticks, and sleep until there is something to do.
+#include "runner/service/service.hpp"
+
+namespace capstan {
+
+/// To be called before any thread is made: from then on the signals of the daemon wait to be asked for by the
+/// loop.
+void hold_signals();
+
+/// Ends the sleep of the loop, from any thread.
+void wake_loop();
+
+/// Works until SIGTERM or SIGINT, then has all runs write a checkpoint and end. An error of the environment
+/// (a full disk) is said on standard error and tried again after a while.
+void work_until_terminated(Service& service);
+
+}  // namespace capstan

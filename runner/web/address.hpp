@@ -1,0 +1,18 @@
+#pragma once
+// Where the server listens, and where clients look for it.
+#include <string>
+
+namespace capstan {
+
+struct Address {
+  std::string host;
+  int port = 0;  ///< 0: any free one
+};
+
+/// Reads "127.0.0.1:8017" or "[::1]:8017". Throws std::invalid_argument, also for an address that other
+/// machines could reach: nothing here knows who asks.
+Address parse_loopback_address(const std::string& text);
+
+std::string url_of(const Address& address);
+
+}  // namespace capstan

@@ -1,0 +1,25 @@
+#pragma once
+// What each route answers: plain functions from a request to a response.
+#include <string>
+
+#include "runner/service/service.hpp"
+#include "runner/web/message.hpp"
+
+namespace capstan {
+
+/// \param id  the part of the path that names a study or a case, "" on routes without one
+using Handler = Response (*)(Service& service, const Request& request, const std::string& id);
+
+Response get_health(Service& service, const Request& request, const std::string& id);
+
+Response post_study(Service& service, const Request& request, const std::string& id);
+Response get_studies(Service& service, const Request& request, const std::string& id);
+Response get_study(Service& service, const Request& request, const std::string& id);
+Response get_study_cases(Service& service, const Request& request, const std::string& id);
+Response get_phase_diagram(Service& service, const Request& request, const std::string& id);
+Response cancel_study(Service& service, const Request& request, const std::string& id);
+
+Response get_case(Service& service, const Request& request, const std::string& id);
+Response get_case_history(Service& service, const Request& request, const std::string& id);
+
+}  // namespace capstan

@@ -1,0 +1,35 @@
+#include "runner/results/export.hpp"
+#include "runner/results/queries.hpp"
+#include "runner/web/api.hpp"
+
+namespace capstan {
+namespace {
+
+Response no_such_case(const std::string& id) {
+  return problem(404, "Not found", "there is no case \"" + id + "\"");
+}
+
+bool wants_csv(const Request& request) {
+  const std::string format = query_value(request, "format");
+  return format.empty() ? request.accept.find("text/csv") != std::string::npos : format == "csv";
+}
+
+}  // namespace
+
+Response get_case(Service& service, const Request&, const std::string& id) {
+  Database database = service.reader();
+  auto found = find_case(database, id);
+  if (!found) return no_such_case(id);
+  const std::string self = "/v1/cases/" + id;
+  (*found)["links"] = {{"self", self}, {"history", self + "/history"}};
+  return json_response(200, *found);
+}
+
+Response get_case_history(Service& service, const Request& request, const std::string& id) {
+  Database database = service.reader();
+  const auto history = find_history(database, id);
+  if (!history) return no_such_case(id);
+  return wants_csv(request) ? csv_response(as_csv(history_table(*history))) : json_response(200, *history);
+}
+
+}  // namespace capstan

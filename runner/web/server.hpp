@@ -1,0 +1,32 @@
+#pragma once
+// The HTTP server: carries requests to the routes and responses back, on threads of its own.
+#include <memory>
+#include <thread>
+
+#include "runner/service/service.hpp"
+#include "runner/web/address.hpp"
+
+namespace httplib {
+class Server;
+}
+
+namespace capstan {
+
+class Server {
+ public:
+  /// Listens from now on. Throws std::runtime_error when the address is taken.
+  Server(Service& service, Address address);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  /// With the port that was found, if any free one was asked for.
+  const Address& address() const { return address_; }
+
+ private:
+  Address address_;
+  std::unique_ptr<httplib::Server> http_;
+  std::thread thread_;
+};
+
+}  // namespace capstan

@@ -1,0 +1,95 @@
+// The program `capstan` with a solver that knows no physics: it obeys schema/run_directory.md, and what it
+// does is chosen by the viscosity ratio V of the case.
+//
+//   V = 50  fails: exit code 3, result.json says why
+//   V = 60  dies by abort()
+//   V = 70  writes half of its history and waits for SIGTERM, then exits with 75; each time anew
+//   V = 80  the same, but once it has been interrupted, it completes
+//   V = 90  refuses the case: exit code 2
+//   other   tumbles below Ca = 0.5, tank-treads above
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "runner/cli/program.hpp"
+#include "runner/execute/exit_code.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kRecords = 10;
+
+void write_history(const std::filesystem::path& out, double until, int records) {
+  std::ofstream history(out / "history.jsonl", std::ios::trunc);
+  for (int i = 1; i <= records; ++i)
+    history << ordered_json{{"kt", until * i / kRecords},
+                            {"D_xy", 0.5},
+                            {"theta", -0.1 * i},
+                            {"psi", 0.01 * i},
+                            {"volume", 4.18},
+                            {"area", 17.2},
+                            {"iterations", 2},
+                            {"error", 1e-4}}
+                   .dump()
+            << std::endl;
+}
+
+void write_result(const std::filesystem::path& out, const ordered_json& result) {
+  std::ofstream(out / "result.json.partial") << result.dump();
+  std::filesystem::rename(out / "result.json.partial", out / "result.json");
+}
+
+int wait_for_interruption(const std::filesystem::path& out, double until) {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigprocmask(SIG_BLOCK, &signals, nullptr);
+  write_history(out, until, kRecords / 2);
+  std::ofstream(out / "checkpoint-a.h5") << "half of it";
+  int signal = 0;
+  sigwait(&signals, &signal);
+  return kExitInterrupted;
+}
+
+int complete(const std::filesystem::path& out, double until, double Ca) {
+  write_history(out, until, kRecords);
+  write_result(out, {{"format", 1},
+                     {"stop", "reached_end"},
+                     {"message", ""},
+                     {"motion", Ca < 0.5 ? "tumbling" : "tank_treading"},
+                     {"evidence", {{"turns", 2.0}, {"margin", 0.25}}},
+                     {"final", {{"kt", until}, {"D_xy", 0.5}, {"theta", -1.0}}}});
+  return kExitDone;
+}
+
+int solve(const std::filesystem::path& case_file, const std::filesystem::path& out) {
+  const ordered_json input = ordered_json::parse(std::ifstream(case_file));
+  const double V = input["V"];
+  const double until = input["until"]["kt"];
+  if (V == 50) {
+    write_result(out,
+                 {{"stop", "diverged"}, {"message", "the membrane tore at kt = 0.3"}, {"motion", nullptr}});
+    return kExitNoAnswer;
+  }
+  if (V == 60) {
+    std::cerr << "something is very wrong" << std::endl;
+    std::abort();
+  }
+  if (V == 70 || (V == 80 && !std::filesystem::exists(out / "checkpoint-a.h5")))
+    return wait_for_interruption(out, until);
+  if (V == 90) {
+    std::cerr << "/V  cannot be 90" << std::endl;
+    return kExitInvalidInput;
+  }
+  return complete(out, until, input["Ca"]);
+}
+
+}  // namespace
+}  // namespace capstan
+
+int main(int argc, char** argv) { return capstan::run_program(argc, argv, capstan::solve); }
