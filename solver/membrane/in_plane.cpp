@@ -6,9 +6,8 @@
 namespace capstan {
 namespace {
 
-/// F, 3 x 2: where the orthonormal axes of the undeformed plane go. The side (length, 0) becomes x1 - x0, the
-/// height over it becomes x2 - x0 less its foot. Charrier's rotation into a common plane drops out of C = F^T
-/// F.
+/// F, 3 x 2: where the orthonormal axes of the undeformed plane go. The side (length, 0) becomes x1 - x0, the height
+/// over it x2 - x0 less the part along the side. Charrier's rotation into a common plane drops out of C = F^T F.
 struct DeformationGradient {
   Vec3 axis1, axis2;
 
@@ -25,25 +24,24 @@ struct SymmetricMatrix {
   double s11, s12, s22;
 };
 
-/// C = F^T F, symmetric, as  mean * 1 + difference * [cosine, sine; sine, -cosine];  its eigenvalues are the
-/// squared principal stretches mean +- difference. Any direction serves where they are equal.
+/// C = F^T F, symmetric, as  mean * 1 + [d, e; e, -d].  Its eigenvalues, the squared principal stretches, are
+/// mean +- radius,  radius^2 = d^2 + e^2.
 struct CauchyGreen {
-  double mean, difference, cosine = 1, sine = 0;
+  double mean, d, e, radius;
 
   explicit CauchyGreen(const DeformationGradient& F) {
-    const double c11 = F.axis1.squaredNorm(), c22 = F.axis2.squaredNorm(), c12 = F.axis1.dot(F.axis2);
+    const double c11 = F.axis1.squaredNorm(), c22 = F.axis2.squaredNorm();
     mean = (c11 + c22) / 2;
-    difference = std::sqrt((c11 - c22) * (c11 - c22) / 4 + c12 * c12);
-    if (difference > 0) {
-      cosine = (c11 - c22) / (2 * difference);
-      sine = c12 / difference;
-    }
+    d = (c11 - c22) / 2;
+    e = F.axis1.dot(F.axis2);
+    radius = std::sqrt(d * d + e * e);
   }
 
-  /// The symmetric matrix with the same eigenvectors and the eigenvalues s1, s2.
+  /// The symmetric matrix with the same eigenvectors and the eigenvalues s1, s2, which are equal where C's are.
   SymmetricMatrix with_eigenvalues(double s1, double s2) const {
-    const double half_sum = (s1 + s2) / 2, half_difference = (s1 - s2) / 2;
-    return {half_sum + half_difference * cosine, half_difference * sine, half_sum - half_difference * cosine};
+    const double middle = (s1 + s2) / 2;
+    const double scale = radius > 0 ? (s1 - s2) / (2 * radius) : 0;
+    return {middle + scale * d, scale * e, middle - scale * d};
   }
 };
 
@@ -73,8 +71,8 @@ Principal InPlaneElasticity::stretches(const Points& positions) const {
   Principal squares(elements_.size(), 2);
   for (size_t face = 0; face < elements_.size(); ++face) {
     const CauchyGreen C(DeformationGradient(elements_[face], positions));
-    squares(face, 0) = C.mean + C.difference;
-    squares(face, 1) = C.mean - C.difference;
+    squares(face, 0) = C.mean + C.radius;
+    squares(face, 1) = C.mean - C.radius;
   }
   return squares.sqrt();
 }

@@ -1,6 +1,5 @@
 #pragma once
-// The elastic capsule wall: everything it does to the fluid. Units a = k = mu_a = 1, so E_s = 1/Ca, E_B =
-// E_b/Ca.
+// The elastic capsule wall: everything it does to the fluid. Units a = k = mu_a = 1: E_s = 1/Ca, E_B = E_b/Ca.
 #include <memory>
 #include <optional>
 

@@ -12,9 +12,9 @@ Scalars mixed_areas(const Points& positions, const Faces& faces);
 /// #E: (cot alpha + cot beta)/2, alpha and beta the angles opposite to each edge.
 Scalars cotangent_weights(const TriangleMesh& mesh, const Points& positions);
 
-/// Laplace-Beltrami operator on a vertex function, the cotangent formula (paper eq. 32 with f_j - f_i, so
-/// that it is the operator itself and not its negative):  (Delta f)_i = 1/A_i sum_j (cot alpha + cot beta)/2
-/// (f_j - f_i).
+/// The Laplace-Beltrami operator on a vertex function, by the cotangent formula:
+///   (Delta f)_i = 1/A_i sum_j (cot alpha + cot beta)/2 (f_j - f_i),   A_i the mixed area.
+/// Differs from the paper: eq. 32 is printed with f_i - f_j, which is the negative of the operator.
 Scalars laplace_beltrami(const TriangleMesh& mesh, const Points& positions, const Scalars& values);
 
 /// H of each vertex from the cotangent formula:  Delta x = -2 H n.

@@ -66,8 +66,8 @@ Vec3 centroid(const Points& positions, const Faces& faces) {
   return first_moment / volume(positions, faces);
 }
 
-// Over a tetrahedron of volume v with corners 0, x0, x1, x2:  int r r dV = v/20 (sum_a x_a x_a + s s),  s =
-// sum_a x_a.
+// Over a tetrahedron of volume v with corners 0, x0, x1, x2, and s = x0 + x1 + x2:
+//   int r r dV = v/20 (x0 x0 + x1 x1 + x2 x2 + s s).
 Eigen::Matrix3d second_moments(const Points& positions, const Faces& faces) {
   const Points r = positions.colwise() - centroid(positions, faces);
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();

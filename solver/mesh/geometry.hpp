@@ -14,12 +14,11 @@ Scalars face_areas(const Points& positions, const Faces& faces);
 /// A third of the areas of the faces around each vertex; they sum up to the area.
 Scalars vertex_areas(const Points& positions, const Faces& faces);
 
-/// 3 x #V: N_i = dV/dx_i, the gradient of the enclosed volume; a third of the area vectors around each
-/// vertex.
+/// 3 x #V: N_i = dV/dx_i, the gradient of the volume; a third of the area vectors around each vertex.
 Points vertex_area_vectors(const Points& positions, const Faces& faces);
 
-/// Unit vectors along N_i: the area-weighted mean of the normals around each vertex. First order in the edge
-/// length.
+/// Unit vectors along N_i: the area-weighted mean of the normals around each vertex.
+/// They are of first order in the edge length only.
 Points vertex_normals(const Points& positions, const Faces& faces);
 
 double area(const Points& positions, const Faces& faces);

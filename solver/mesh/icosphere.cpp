@@ -13,8 +13,7 @@ struct Triangulation {
   std::vector<std::array<int, 3>> faces;
 };
 
-/// The vertices (0, +-1, +-phi) and their cyclic permutations: the orientation that has the coordinate
-/// mirrors.
+/// (0, +-1, +-phi) and the cyclic permutations: the orientation that has the coordinate mirrors.
 std::vector<Vec3> icosahedron_vertices() {
   std::vector<Vec3> vertices;
   for (double s : {1.0, -1.0})

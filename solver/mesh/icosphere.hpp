@@ -1,6 +1,5 @@
 #pragma once
-// A nearly uniform triangulation of the unit sphere: an icosahedron, each of its faces split into four again
-// and again.
+// A nearly uniform triangulation of the unit sphere: an icosahedron, its faces split into four again and again.
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {
@@ -10,9 +9,8 @@ struct Icosphere {
   TriangleMesh mesh;
 };
 
-/// 10 * 4^subdivisions + 2 vertices. Vertices and faces are mapped onto each other by the mirrors x -> -x, y
-/// -> -y, z -> -z, without any rounding: a start in the plane of shear keeps the symmetry of the flow to the
-/// last bit.
+/// 10 * 4^subdivisions + 2 vertices. The mirrors x -> -x, y -> -y, z -> -z map vertices and faces onto each
+/// other without any rounding: a start in the plane of shear has the symmetry of the flow to the last bit.
 Icosphere make_icosphere(int subdivisions);
 
 }  // namespace capstan

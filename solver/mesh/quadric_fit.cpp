@@ -20,8 +20,7 @@ Eigen::Matrix3d frame_about(const Vec3& normal) {
   return frame;
 }
 
-/// Lengths are measured in `size`, of the order of an edge, so that the normal equations are well
-/// conditioned.
+/// Lengths are measured in `size`, about an edge, so that the normal equations are well conditioned.
 Coefficients fit(const std::vector<int>& ring, const Vec3& centre, const Eigen::Matrix3d& frame, double size,
                  const Points& positions) {
   Eigen::Matrix<double, 5, 5> normal_matrix = Eigen::Matrix<double, 5, 5>::Zero();
@@ -40,11 +39,9 @@ Coefficients fit(const std::vector<int>& ring, const Vec3& centre, const Eigen::
 
 }  // namespace
 
-// The graph z(x, y) with slopes p, q and second derivatives r, s, t at the vertex has, for the normal along
-// +z,
-//   k1 + k2 = ((1 + q^2) r - 2 p q s + (1 + p^2) t) / w^3,   k1 k2 = (r t - s^2) / w^4,   w^2 = 1 + p^2 +
-//   q^2,
-// negative sum where it bends away from the normal: H changes the sign.
+// The graph z(x, y) with slopes p, q and second derivatives r, s, t at the vertex has, with its normal along +z,
+//   k1 + k2 = ((1 + q^2) r - 2 p q s + (1 + p^2) t) / w^3,   k1 k2 = (r t - s^2) / w^4,
+// w^2 = 1 + p^2 + q^2. It bends away from its normal where the sum is negative, where our H is positive.
 QuadricFit fit_quadrics(const TriangleMesh& mesh, const Points& positions) {
   const Points estimates = vertex_normals(positions, mesh.faces);
   QuadricFit result{Points(3, positions.cols()), Scalars(positions.cols()), Scalars(positions.cols())};

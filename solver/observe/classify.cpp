@@ -15,11 +15,11 @@ using Records = std::span<const Record>;
 constexpr double kStart = 3;                                   ///< kt
 constexpr double kMostlyMembrane = 0.25, kMostlyShape = 0.75;  ///< thresholds of r
 
+// Thresholds of D_min, found on 96 boundary-integral runs of a biconcave capsule, each followed to kt = 60.
 /// Q must keep this far from 0. Where D_xy is small all along, a nearly spherical capsule, half of its
 /// largest value is asked for instead: a steady D_xy of 0.03 is not a passage through 0.
 constexpr double kClear = 0.06;
-/// In 96 runs no label given after one half-turn changed when Q had kept 0.1 away; nearer to 0 two were
-/// needed.
+/// No label given after one half-turn changed later if Q had kept this far away; nearer to 0 some did.
 constexpr double kClearAfterOneTurn = 0.1;
 
 Eigen::Vector2d shape_vector(const Record& record) {
@@ -52,8 +52,7 @@ Records after_start(const History& history) {
   return {first, history.end()};
 }
 
-/// The records cut where shape and membrane together have turned by another pi; an unfinished rest is left
-/// out.
+/// The records cut where shape and membrane together have turned by another pi, without the unfinished rest.
 std::vector<Records> half_turns(Records records) {
   std::vector<Records> pieces;
   for (size_t begin = 0, end = 1; end < records.size(); ++end) {

@@ -4,8 +4,7 @@
 
 namespace capstan {
 
-/// The section, in the plane of shear, of the ellipsoid that has the capsule's moments of inertia (paper eq.
-/// 44).
+/// The ellipsoid that has the capsule's moments of inertia (paper eq. 44), cut by the plane of shear.
 struct InertiaEllipse {
   Vec3 centre;
   double major, minor;  ///< half axes L >= l

@@ -25,10 +25,11 @@ class MotionTracker {
 
  private:
   Faces faces_;
-  std::vector<int> equator_;  ///< material points that start in the plane of shear
+  std::vector<int> equator_;  ///< material points that start near the plane of shear
   double theta_;              ///< unwrapped
-  std::vector<double>
-      angles_;  ///< of those points against the major axis, on the ellipse scaled to a circle, unwrapped
+
+  /// Of those points against the major axis, the ellipse scaled to a circle, unwrapped.
+  std::vector<double> angles_;
   double initial_mean_angle_;
 };
 
