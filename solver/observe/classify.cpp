@@ -15,7 +15,7 @@ using Records = std::span<const Record>;
 constexpr double kStart = 3;                                   ///< kt
 constexpr double kMostlyMembrane = 0.25, kMostlyShape = 0.75;  ///< thresholds of r
 
-// Thresholds of D_min, found on 96 boundary-integral runs of a biconcave capsule, each followed to kt = 60.
+/// Thresholds of D_min, found on 96 boundary-integral runs of a biconcave capsule, each followed to kt = 60.
 /// Q must keep this far from 0. Where D_xy is small all along, a nearly spherical capsule, half of its
 /// largest value is asked for instead: a steady D_xy of 0.03 is not a passage through 0.
 constexpr double kClear = 0.06;
