@@ -22,7 +22,7 @@ constexpr std::array kMarks = {
     Mark{"undecided", "?", "1;30;47", "undecided: it ended too soon to say"},
     Mark{"mixed", "+", "1;97;45", "cases that differ"},
     Mark{"failed", "!", "31", "failed"},
-    Mark{"diverged", "!", "31", "failed"},
+    Mark{"diverged", "x", "31", "diverged"},
     Mark{"cancelled", "-", "90", "cancelled"},
     Mark{"running", "~", "36", "running"},
     Mark{"queued", ".", "90", "queued"},
@@ -63,20 +63,25 @@ std::string legend(const PhaseDiagram& diagram, bool coloured) {
   return lines;
 }
 
+/// One row of cells, with its y value in front.
+std::string row_text(const PhaseDiagram& diagram, std::size_t row, std::size_t margin, std::size_t cell,
+                     bool coloured) {
+  std::string line = aligned_right(plain(diagram.y.values[row]), margin) + " |";
+  for (const PhaseCell& at : diagram.rows[row]) {
+    const Mark& mark = mark_of(at);
+    line += painted(centred(mark.text, cell), mark, coloured);
+  }
+  return without_trailing_spaces(line) + "\n";
+}
+
 }  // namespace
 
 std::string render(const PhaseDiagram& diagram, bool coloured) {
   const std::size_t margin = std::max(widest(diagram.y), diagram.y.parameter.size()) + 1;
   const std::size_t cell = std::max<std::size_t>(widest(diagram.x) + 2, 4);
   std::string text = aligned_right(diagram.y.parameter, margin) + "\n";
-  for (std::size_t row = diagram.rows.size(); row-- > 0;) {
-    text += aligned_right(plain(diagram.y.values[row]), margin) + " |";
-    for (const PhaseCell& at : diagram.rows[row]) {
-      const Mark& mark = mark_of(at);
-      text += painted(centred(mark.text, cell), mark, coloured);
-    }
-    text += "\n";
-  }
+  for (std::size_t row = diagram.rows.size(); row-- > 0;)
+    text += row_text(diagram, row, margin, cell, coloured);
   text += std::string(margin, ' ') + " +" + std::string(cell * diagram.x.values.size(), '-') + "\n";
   text += std::string(margin + 2, ' ');
   for (const nlohmann::ordered_json& value : diagram.x.values) text += centred(plain(value), cell);

@@ -43,8 +43,6 @@ bool is_numeric(const Table& table, std::size_t column) {
   return std::all_of(table.rows.begin(), table.rows.end(), is_no_word);
 }
 
-void drop_trailing_spaces(std::string& line) { line.erase(line.find_last_not_of(' ') + 1); }
-
 }  // namespace
 
 std::string plain(const ordered_json& value) {
@@ -58,6 +56,11 @@ std::string aligned_right(const std::string& text, std::size_t width) {
   return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 
+std::string without_trailing_spaces(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
 std::string as_text(const Table& table) {
   std::vector<std::string> lines(table.rows.size() + 1);
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
@@ -68,10 +71,7 @@ std::string as_text(const Table& table) {
       lines[row + 1] += aligned(short_text(table.rows[row][column]), width) + "  ";
   }
   std::string text;
-  for (std::string& line : lines) {
-    drop_trailing_spaces(line);
-    text += line + "\n";
-  }
+  for (const std::string& line : lines) text += without_trailing_spaces(line) + "\n";
   return text;
 }
 

@@ -16,6 +16,7 @@ struct Table {
 std::string plain(const nlohmann::ordered_json& value);
 
 std::string aligned_right(const std::string& text, std::size_t width);
+std::string without_trailing_spaces(std::string line);
 
 /// Numbers aligned right and rounded to four digits, words left.
 std::string as_text(const Table& table);

@@ -11,7 +11,7 @@ namespace capstan {
 struct Outcome {
   enum class Kind { done, failed, diverged, interrupted, crashed };
   Kind kind;
-  std::string message;                   ///< why, where that needs words
+  std::string message;                           ///< why, where that needs words
   std::optional<nlohmann::ordered_json> result;  ///< result.json
 };
 

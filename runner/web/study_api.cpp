@@ -20,10 +20,6 @@ ordered_json with_links(ordered_json study) {
 
 }  // namespace
 
-Response get_health(Service&, const Request&, const std::string&) {
-  return json_response(200, {{"status", "ok"}});
-}
-
 /// 201 for a new study, 200 for one that is known; nothing is queued unless everything is valid.
 Response post_study(Service& service, const Request& request, const std::string&) {
   const ParsedStudy parsed = parse_study_text(request.body);

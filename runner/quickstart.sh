@@ -1,0 +1,80 @@
+#!/bin/sh
+# Builds Capstan, starts its server, computes a small study and shows which capsules tumble and which tank-tread.
+#   sh runner/quickstart.sh [DATA_DIRECTORY]
+# The server keeps running; a server that already runs is used.
+set -eu
+cd "$(dirname "$0")/.."
+data=${1:-capstan-data}
+capstan=build/release/capstan
+study=studies/quickstart/study.json
+
+build() {
+  sh runner/install_packages.sh
+  cmake --preset release >build.log 2>&1 && cmake --build --preset release >>build.log 2>&1 && rm build.log && return
+  tail -n 40 build.log >&2
+  echo "The build failed; build.log has all of it." >&2
+  exit 1
+}
+
+# What answers at the port: "capstan", "other", or "nothing".
+listener_at() {
+  code=0
+  answer=$(curl -sS --max-time 3 "http://127.0.0.1:$1/healthz" 2>/dev/null) || code=$?
+  case "$code,$answer" in
+    7,*) echo nothing ;; # connection refused
+    *'"program": "capstan"'*) echo capstan ;;
+    *) echo other ;;
+  esac
+}
+
+start_server() {
+  mkdir -p "$data"
+  nohup "$capstan" serve --data "$data" --listen "127.0.0.1:$port" >>"$data/server.log" 2>&1 &
+  pid=$!
+  until [ "$(listener_at "$port")" = capstan ]; do
+    if ! kill -0 "$pid" 2>/dev/null; then
+      tail -n 5 "$data/server.log" >&2
+      exit 1
+    fi
+    sleep 0.1
+  done
+  echo "Started the server, data in $data"
+}
+
+# The first port from 8017 on where Capstan answers, or where it can be started.
+find_or_start_server() {
+  port=8017
+  while :; do
+    case "$(listener_at "$port")" in
+      capstan) echo "Using the server that runs at port $port" && return ;;
+      nothing) start_server && return ;;
+    esac
+    port=$((port + 1))
+  done
+}
+
+echo "Building (the first time takes a few minutes) ..."
+build
+find_or_start_server
+server=http://127.0.0.1:$port
+option=""
+[ "$port" = 8017 ] || option=" --server $server"
+
+echo "Computing $study: a red cell's shape in shear flow at four points of (Ca, V)"
+id=$("$capstan" submit "$study" --watch --server "$server") || [ $? = 3 ]
+echo
+"$capstan" results "$id" --server "$server"
+echo
+"$capstan" phase-diagram "$id" --server "$server"
+pid=$(curl -s "$server/healthz" | sed -n 's/.*"pid": \([0-9]*\).*/\1/p')
+cat <<END
+
+Try:
+  curl '$server/v1/studies/$id/cases?motion=tumbling'
+  curl '$server/v1/studies/$id/phase-diagram'
+  $capstan results $id --format csv$option
+  $capstan submit studies/fig16a/study.json --watch$option
+
+The server keeps running. Stop it:   kill $pid
+Start it again, nothing is lost:     $capstan serve --data $data --listen 127.0.0.1:$port
+END

@@ -1,0 +1,46 @@
+#pragma once
+// An executor without processes: a test says when a run ends, and how.
+#include <map>
+#include <vector>
+
+#include "runner/execute/executor.hpp"
+
+namespace capstan {
+
+class FakeExecutor : public Executor {
+ public:
+  RunHandle start(const RunDirectory& directory) override {
+    if (is_broken) throw std::runtime_error("no process to be had");
+    const RunHandle run = "run " + std::to_string(++count_);
+    directories.emplace(run, directory);
+    running.push_back(run);
+    return run;
+  }
+
+  std::optional<RunEnd> poll(const RunHandle& run) override {
+    const auto end = ends_.find(run);
+    return end == ends_.end() ? std::nullopt : std::optional(end->second);
+  }
+
+  void cancel(const RunHandle& run, Stop stop) override {
+    (stop == Stop::kill ? killed : asked_to_stop).push_back(run);
+    if (stop == Stop::kill) end(run, {RunEnd::How::signalled, 9});
+  }
+
+  void end(const RunHandle& run, RunEnd how) {
+    ends_[run] = how;
+    std::erase(running, run);
+  }
+  void exit(const RunHandle& run, int code) { end(run, {RunEnd::How::exited, code}); }
+
+  bool is_broken = false;
+  std::vector<RunHandle> running;  ///< in the order of their start
+  std::vector<RunHandle> asked_to_stop, killed;
+  std::map<RunHandle, RunDirectory> directories;
+
+ private:
+  int count_ = 0;
+  std::map<RunHandle, RunEnd> ends_;
+};
+
+}  // namespace capstan

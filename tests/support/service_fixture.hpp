@@ -1,0 +1,52 @@
+#pragma once
+// A service whose clock stands still and whose runs end when the test says so.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <memory>
+
+#include "runner/results/queries.hpp"
+#include "runner/service/service.hpp"
+#include "tests/support/fake_clock.hpp"
+#include "tests/support/fake_executor.hpp"
+#include "tests/support/sample_studies.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace capstan {
+
+class ServiceFixture : public testing::Test {
+ protected:
+  /// What a daemon does that was killed and is started again.
+  void restart() {
+    service_.reset();
+    service_ = std::make_unique<Service>(data_, executor_, clock_, 2);
+  }
+
+  /// The run of that number, counted from its start, leaves these files.
+  const RunDirectory& directory_of(const RunHandle& run) { return executor_.directories.at(run); }
+  void write_history(const RunHandle& run, const std::string& lines) {
+    std::ofstream(directory_of(run).history_file()) << lines;
+  }
+  void complete(const RunHandle& run, const std::string& motion) {
+    std::ofstream(directory_of(run).result_file())
+        << nlohmann::json{{"stop", "reached_end"}, {"motion", motion}, {"evidence", {{"turns", 2}}}};
+    executor_.exit(run, 0);
+  }
+
+  nlohmann::ordered_json study(const std::string& id) {
+    Database reader = service_->reader();
+    return find_study(reader, id).value();
+  }
+  nlohmann::ordered_json cases(const std::string& id, const CaseFilter& filter = {}) {
+    Database reader = service_->reader();
+    return find_cases(reader, id, filter);
+  }
+
+  TemporaryDirectory directory_;
+  DataDirectory data_{directory_.path()};
+  FakeExecutor executor_;
+  FakeClock clock_;
+  std::unique_ptr<Service> service_ = std::make_unique<Service>(data_, executor_, clock_, 2);
+};
+
+}  // namespace capstan

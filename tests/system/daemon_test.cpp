@@ -1,0 +1,141 @@
+// The real daemon with a real database, real processes and a real port; only the physics is faked.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "runner/execute/process_identity.hpp"
+#include "runner/queue/database.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/sample_studies.hpp"
+#include "tests/support/served_study.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+using testing::ElementsAre;
+
+class DaemonTest : public testing::Test {
+ protected:
+  std::string submit(Client& client, const nlohmann::json& axes) {
+    return client.post("/v1/studies", study_document("system", axes).dump())["id"];
+  }
+  ordered_json cases(Client& client, const std::string& id, const std::string& filter = "") {
+    return client.get("/v1/studies/" + id + "/cases" + filter)["cases"];
+  }
+  ordered_json history(Client& client, const ordered_json& shown) {
+    return client.get("/v1/cases/" + shown["id"].get<std::string>() + "/history");
+  }
+  std::vector<std::string> endings(Client& client, const ordered_json& shown) {
+    std::vector<std::string> all;
+    const ordered_json full = client.get("/v1/cases/" + shown["id"].get<std::string>());
+    for (const ordered_json& attempt : full["attempts"]) all.push_back(attempt["ending"]);
+    return all;
+  }
+
+  TemporaryDirectory data_;
+};
+
+TEST_F(DaemonTest, StudyIsComputedClassifiedAndAnswered) {
+  const Daemon daemon(data_.path());
+  Client client(daemon.url());
+  const std::string id = submit(client, {{"Ca", {0.25, 0.75}}, {"V", {2, 4}}});
+  wait_for_cases(client, id, "done", 4);
+  const ordered_json tumbling = cases(client, id, "?motion=tumbling&V=4");
+  ASSERT_EQ(tumbling.size(), 1u);
+  EXPECT_EQ(tumbling[0]["parameters"]["Ca"], 0.25);
+  EXPECT_EQ(tumbling[0]["evidence"]["turns"], 2.0);
+  EXPECT_EQ(history(client, tumbling[0])["kt"].size(), 10u);
+  EXPECT_EQ(client.get("/v1/studies/" + id)["motions"]["tank_treading"], 2);
+}
+
+TEST_F(DaemonTest, EachImpossibleCaseSaysWhyAndTheOthersFinish) {
+  const Daemon daemon(data_.path());
+  Client client(daemon.url());
+  const std::string id = submit(client, {{"Ca", {0.25}}, {"V", {50, 60, 90, 4}}});
+  wait_for_cases(client, id, "done", 1);
+  wait_for_cases(client, id, "failed", 2);
+  wait_for_cases(client, id, "diverged", 1);
+  const ordered_json found = cases(client, id);
+  EXPECT_EQ(found[0]["message"], "the membrane tore at kt = 0.3");
+  EXPECT_EQ(found[1]["message"].get<std::string>().substr(0, 27), "killed by signal 6 (Aborted");
+  EXPECT_THAT(endings(client, found[1]), ElementsAre("crashed", "crashed"));
+  EXPECT_EQ(found[2]["message"], "the solver refused the case\n/V  cannot be 90");
+  EXPECT_THAT(endings(client, found[2]), ElementsAre("failed"));
+}
+
+TEST_F(DaemonTest, RunsEndWithAKilledDaemon) {
+  Daemon daemon(data_.path());
+  Client client(daemon.url());
+  wait_for_cases(client, submit(client, {{"Ca", {0.25}}, {"V", {70}}}), "running", 1);
+  Database database(data_.path() / "capstan.sqlite", Database::Access::read);
+  Statement row = database.query("SELECT handle FROM attempts");
+  ASSERT_TRUE(row.step());
+  const auto run = process_from_text(row.text(0));
+  ASSERT_TRUE(run && is_alive(*run));
+  daemon.end_with(SIGKILL);
+  EXPECT_TRUE(wait_for_end(*run, 10000));
+}
+
+TEST_F(DaemonTest, SuccessorOfAKilledDaemonCompletesWhatItLeft) {
+  std::string id;
+  {
+    Daemon daemon(data_.path());
+    Client client(daemon.url());
+    id = submit(client, {{"Ca", {0.25, 0.75}}, {"V", {2, 80}}});
+    wait_for_cases(client, id, "done", 2);
+    wait_for(client, "/v1/studies/" + id,
+             [](const ordered_json& study) { return study["progress"] == 0.75; });
+    daemon.end_with(SIGKILL);
+  }
+  const Daemon successor(data_.path());
+  Client client(successor.url());
+  wait_for_cases(client, id, "done", 4);
+  for (const ordered_json& shown : cases(client, id, "?V=80")) {
+    EXPECT_THAT(endings(client, shown), ElementsAre("interrupted", "done"));
+    EXPECT_EQ(history(client, shown)["kt"].size(), 10u);
+  }
+  for (const ordered_json& shown : cases(client, id, "?V=2")) EXPECT_EQ(shown["attempt"], 1);
+}
+
+TEST_F(DaemonTest, TerminatedDaemonHasItsRunsWriteACheckpointAndExitsWithZero) {
+  Daemon daemon(data_.path());
+  Client client(daemon.url());
+  const std::string id = submit(client, {{"Ca", {0.25}}, {"V", {80}}});
+  wait_for(client, "/v1/studies/" + id, [](const ordered_json& study) { return study["progress"] == 0.5; });
+  EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+  const Daemon successor(data_.path());
+  Client again(successor.url());
+  wait_for_cases(again, id, "done", 1);
+  EXPECT_THAT(endings(again, cases(again, id)[0]), ElementsAre("interrupted", "done"));
+}
+
+TEST_F(DaemonTest, CancelledStudyEndsItsRuns) {
+  const Daemon daemon(data_.path());
+  Client client(daemon.url());
+  const std::string id = submit(client, {{"Ca", {0.25, 0.5}}, {"V", {70}}});
+  wait_for_cases(client, id, "running", 2);
+  client.post("/v1/studies/" + id + "/cancel", "");
+  wait_for_cases(client, id, "cancelled", 2);
+}
+
+TEST_F(DaemonTest, SecondDaemonCannotTakeThePort) {
+  const Daemon daemon(data_.path());
+  const TemporaryDirectory other;
+  const std::string address = daemon.url().substr(std::string("http://").size());
+  const CommandResult second = run_capstan("serve --data " + other.path().string() + " --listen " + address);
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_NE(second.errors.find("cannot listen"), std::string::npos) << second.errors;
+}
+
+TEST_F(DaemonTest, SecondDaemonCannotTakeTheDataDirectory) {
+  const Daemon daemon(data_.path());
+  const CommandResult second = run_capstan("serve --data " + data_.path().string() + " --listen 127.0.0.1:0");
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_NE(second.errors.find("another capstan"), std::string::npos) << second.errors;
+}
+
+}  // namespace
+}  // namespace capstan

@@ -1,0 +1,93 @@
+// What only shows on a real connection: sizes, encodings, and what the library finds wrong by itself.
+#include <gtest/gtest.h>
+#include <httplib.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.hpp"
+#include "tests/support/sample_studies.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::json;
+
+class HttpTest : public testing::Test {
+ protected:
+  httplib::Result post(const std::string& body, const httplib::Headers& headers = {}) {
+    return client_.Post("/v1/studies", headers, body, "application/json");
+  }
+  std::size_t number_of_studies() { return json::parse(client_.Get("/v1/studies")->body)["studies"].size(); }
+
+  TemporaryDirectory data_;
+  Daemon daemon_{data_.path()};
+  httplib::Client client_{daemon_.url()};
+};
+
+TEST_F(HttpTest, EveryBadStudyIsAnsweredWithAProblemThatListsItsFaults) {
+  const std::string grid =
+      R"({"name": "a", "base": {"Ca": 0.1}, "axes": {"V": {"from": 1, "to": 2, "count": 1000},
+                               "E_b": {"from": 0, "to": 1, "count": 1000}}})";
+  for (const std::string& bad : {std::string(R"({"name": "a", "base": {"Ca": "high", "V": -1}})"),
+                                 std::string(R"({"name": "a", "base": {"Ca": NaN}})"),
+                                 std::string(R"({"name": "a", "base": {"Ca": -0.1}})"),
+                                 std::string(R"({"name": "a", "base": {"Ca": 1}, "key": 1})"),
+                                 std::string(R"({"name": "a", "base": {"Ca": 1)"), std::string(100000, '['),
+                                 std::string("\xff\xfe"), std::string(), grid}) {
+    const auto answer = post(bad);
+    ASSERT_TRUE(answer) << bad.substr(0, 80);
+    EXPECT_EQ(answer->status, 422) << bad.substr(0, 80);
+    EXPECT_EQ(answer->get_header_value("Content-Type"), "application/problem+json");
+    EXPECT_FALSE(json::parse(answer->body)["errors"].empty());
+  }
+  EXPECT_EQ(number_of_studies(), 0u);
+}
+
+TEST_F(HttpTest, BodyOverOneMebibyteIsTooLarge) {
+  const auto answer = post(std::string((1 << 20) + 1, ' '));
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 413);
+  EXPECT_EQ(answer->get_header_value("Content-Type"), "application/problem+json");
+}
+
+TEST_F(HttpTest, ChunkedBodyIsRefusedUnread) {
+  const auto drip = [](std::size_t, httplib::DataSink& sink) {
+    sink.write("{}", 2);
+    sink.done();
+    return true;
+  };
+  const auto answer = client_.Post("/v1/studies", drip, "application/json");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 411);
+}
+
+TEST_F(HttpTest, CompressedBodyIsRefusedUnread) {
+  const auto answer = post("anything", {{"Content-Encoding", "gzip"}});
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 415);
+}
+
+TEST_F(HttpTest, LongPathIsRefused) {
+  const auto answer = client_.Get("/v1/studies/" + std::string(5000, 'a'));
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 414);
+}
+
+TEST_F(HttpTest, OtherMethodsAreNamedAsNotAllowed) {
+  for (const auto& answer : {client_.Put("/v1/studies", "", ""), client_.Delete("/v1/studies"),
+                             client_.Patch("/v1/studies", "", ""), client_.Options("/v1/studies")}) {
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->status, 405);
+    EXPECT_EQ(answer->get_header_value("Allow"), "POST, GET");
+  }
+}
+
+TEST_F(HttpTest, FilterInTheQueryIsDecoded) {
+  const json study = json::parse(post(study_document("http", {{"Ca", {0.25}}}).dump())->body);
+  const std::string cases = study["links"]["cases"];
+  EXPECT_EQ(json::parse(client_.Get(cases + "?Ca=2.5e%2D1")->body)["cases"].size(), 1u);
+}
+
+}  // namespace
+}  // namespace capstan

@@ -1,0 +1,97 @@
+#include "runner/queue/database.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/temporary_directory.hpp"
+
+namespace capstan {
+namespace {
+
+class DatabaseTest : public testing::Test {
+ protected:
+  std::int64_t count_cases() {
+    Statement row = database_.query("SELECT count(*) FROM cases");
+    row.step();
+    return row.integer(0);
+  }
+
+  TemporaryDirectory directory_;
+  std::filesystem::path file_ = directory_.path() / "test.sqlite";
+  Database database_{file_, Database::Access::write};
+};
+
+TEST_F(DatabaseTest, ValuesComeBackAsTheyWereBound) {
+  Statement row =
+      database_.query("SELECT ?1, ?2, ?3, ?4", std::int64_t{1} << 60, 0.1, "a \"quoted\" word", NAN);
+  ASSERT_TRUE(row.step());
+  EXPECT_EQ(row.integer(0), std::int64_t{1} << 60);
+  EXPECT_EQ(row.real(1), 0.1);
+  EXPECT_EQ(row.text(2), "a \"quoted\" word");
+  EXPECT_TRUE(row.is_null(3));
+  EXPECT_TRUE(std::isnan(row.real(3)));
+  EXPECT_FALSE(row.step());
+}
+
+TEST_F(DatabaseTest, UncommittedTransactionLeavesNothing) {
+  {
+    Transaction transaction(database_);
+    database_.execute("INSERT INTO cases (id, document) VALUES ('a', '{}')");
+  }
+  EXPECT_EQ(count_cases(), 0);
+}
+
+TEST_F(DatabaseTest, InnerTransactionIsUndoneWithTheOuterOne) {
+  {
+    Transaction outer(database_);
+    Transaction inner(database_);
+    database_.execute("INSERT INTO cases (id, document) VALUES ('a', '{}')");
+    inner.commit();
+  }
+  EXPECT_EQ(count_cases(), 0);
+}
+
+TEST_F(DatabaseTest, ReaderSeesTheLastCommitWhileTheWriterWrites) {
+  Database reader(file_, Database::Access::read);
+  Transaction transaction(database_);
+  database_.execute("INSERT INTO cases (id, document) VALUES ('a', '{}')");
+  EXPECT_FALSE(reader.query("SELECT 1 FROM cases").step());
+  transaction.commit();
+  EXPECT_TRUE(reader.query("SELECT 1 FROM cases").step());
+}
+
+TEST_F(DatabaseTest, ReaderCannotWrite) {
+  Database reader(file_, Database::Access::read);
+  EXPECT_THROW(reader.execute("DELETE FROM cases"), DatabaseError);
+}
+
+TEST_F(DatabaseTest, CommitsAreSyncedToTheDisk) {
+  Statement row = database_.query("PRAGMA synchronous");
+  row.step();
+  EXPECT_EQ(row.integer(0), 2);  // FULL
+}
+
+TEST_F(DatabaseTest, ReopenedDatabaseKeepsItsContent) {
+  database_.execute("INSERT INTO cases (id, document) VALUES ('a', '{}')");
+  Database again(file_, Database::Access::write);
+  EXPECT_TRUE(again.query("SELECT 1 FROM cases WHERE id = 'a'").step());
+}
+
+TEST_F(DatabaseTest, FormatOfALaterProgramIsRefused) {
+  database_.execute_script("PRAGMA user_version = 99");
+  EXPECT_THROW(Database(file_, Database::Access::write), DatabaseError);
+}
+
+TEST_F(DatabaseTest, ErrorNamesTheFileAndTheOperation) {
+  try {
+    database_.execute("INSERT INTO nowhere VALUES (1)");
+    FAIL();
+  } catch (const DatabaseError& error) {
+    EXPECT_NE(std::string(error.what()).find("test.sqlite"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("INSERT INTO nowhere"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace capstan

@@ -1,0 +1,196 @@
+#include "runner/queue/job_queue.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/fake_clock.hpp"
+#include "tests/support/sample_studies.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace capstan {
+namespace {
+
+using testing::MatchesRegex;
+using namespace std::chrono_literals;
+
+class JobQueueTest : public testing::Test {
+ protected:
+  std::string state_of(const std::string& case_id) {
+    return text("SELECT state FROM cases WHERE id = ?", case_id);
+  }
+  std::string message_of(const std::string& case_id) {
+    return text("SELECT message FROM cases WHERE id = ?", case_id);
+  }
+  std::string last_ending_of(const std::string& case_id) {
+    return text("SELECT ending FROM attempts WHERE case_id = ? ORDER BY attempt DESC", case_id);
+  }
+  std::string text(const char* sql, const std::string& value) {
+    Statement row = database_.query(sql, value);
+    return row.step() ? row.text(0) : "nothing";
+  }
+  std::int64_t count(const char* table) {
+    Statement row = database_.query(std::string("SELECT count(*) FROM ") + table);
+    row.step();
+    return row.integer(0);
+  }
+
+  TemporaryDirectory directory_;
+  FakeClock clock_;
+  Database database_{directory_.path() / "queue.sqlite", Database::Access::write};
+  JobQueue queue_{database_, clock_};
+  Study two_cases_ = sample_study("two", {{"Ca", {0.25, 0.75}}});
+};
+
+TEST_F(JobQueueTest, StudyIdIsItsNameInSmallLettersAndFourDigits) {
+  EXPECT_THAT(queue_.submit(sample_study("Fig16a", {{"Ca", {0.1}}})).study_id,
+              MatchesRegex("fig16a-[0-9a-f]{4}"));
+}
+
+TEST_F(JobQueueTest, SameStudyAgainIsTheSameStudyAndCostsNothing) {
+  const Submission first = queue_.submit(two_cases_);
+  const Submission second = queue_.submit(two_cases_);
+  EXPECT_TRUE(first.is_new);
+  EXPECT_FALSE(second.is_new);
+  EXPECT_EQ(first.study_id, second.study_id);
+  EXPECT_EQ(count("cases"), 2);
+}
+
+TEST_F(JobQueueTest, CaseOfTwoStudiesIsComputedOnce) {
+  queue_.submit(two_cases_);
+  queue_.submit(sample_study("other", {{"Ca", {0.75, 1.0}}}));
+  EXPECT_EQ(count("cases"), 3);
+  EXPECT_EQ(count("study_cases"), 4);
+}
+
+TEST_F(JobQueueTest, StudiesOfOneNameHaveDifferentIds) {
+  const std::string first = queue_.submit(two_cases_).study_id;
+  EXPECT_NE(queue_.submit(sample_study("two", {{"Ca", {0.25}}})).study_id, first);
+}
+
+TEST_F(JobQueueTest, CasesAreClaimedInTheOrderOfSubmission) {
+  queue_.submit(two_cases_);
+  const auto first = queue_.claim();
+  const auto second = queue_.claim();
+  EXPECT_EQ(nlohmann::json::parse(first->document)["Ca"], 0.25);
+  EXPECT_EQ(nlohmann::json::parse(second->document)["Ca"], 0.75);
+  EXPECT_FALSE(queue_.claim());
+  EXPECT_EQ(first->attempt, 1);
+  EXPECT_NE(first->token, second->token);
+}
+
+TEST_F(JobQueueTest, FinishedCaseIsNeverClaimedAgain) {
+  queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
+  const auto claim = queue_.claim();
+  EXPECT_TRUE(queue_.finish(*claim, Ending::done, ""));
+  EXPECT_EQ(state_of(claim->case_id), "done");
+  clock_.advance(24h);
+  queue_.give_back_expired();
+  EXPECT_FALSE(queue_.claim());
+}
+
+TEST_F(JobQueueTest, RenewedLeaseDoesNotExpire) {
+  queue_.submit(two_cases_);
+  const auto claim = queue_.claim();
+  for (int beat = 0; beat < 20; ++beat) {
+    clock_.advance(JobQueue::kHeartbeat);
+    EXPECT_TRUE(queue_.renew(*claim));
+    EXPECT_EQ(queue_.give_back_expired(), 0);
+  }
+}
+
+TEST_F(JobQueueTest, ExpiredLeaseGivesTheCaseToTheNextAndNotToTheLate) {
+  queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
+  const auto late = queue_.claim();
+  clock_.advance(JobQueue::kLease + 1ms);
+  EXPECT_EQ(queue_.give_back_expired(), 1);
+  const auto next = queue_.claim();
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->case_id, late->case_id);
+  EXPECT_EQ(next->attempt, 2);
+  EXPECT_FALSE(queue_.renew(*late));
+  EXPECT_FALSE(queue_.finish(*late, Ending::failed, "too late"));
+  EXPECT_FALSE(queue_.crashed(*late, "too late"));
+  EXPECT_EQ(state_of(next->case_id), "running");
+  EXPECT_TRUE(queue_.finish(*next, Ending::done, ""));
+}
+
+TEST_F(JobQueueTest, ResultIsRecordedOnce) {
+  queue_.submit(two_cases_);
+  const auto claim = queue_.claim();
+  EXPECT_TRUE(queue_.finish(*claim, Ending::done, ""));
+  EXPECT_FALSE(queue_.finish(*claim, Ending::failed, "again"));
+  EXPECT_EQ(state_of(claim->case_id), "done");
+}
+
+TEST_F(JobQueueTest, InterruptionIsNoCrash) {
+  queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
+  for (int time = 0; time < 5; ++time) EXPECT_TRUE(queue_.interrupted(*queue_.claim(), "power cut"));
+  EXPECT_TRUE(queue_.claim());
+}
+
+TEST_F(JobQueueTest, SecondCrashFailsTheCaseAndKeepsTheReason) {
+  queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
+  const auto claim = queue_.claim();
+  queue_.crashed(*claim, "killed by signal 9");
+  EXPECT_EQ(state_of(claim->case_id), "queued");
+  queue_.crashed(*queue_.claim(), "killed by signal 11");
+  EXPECT_EQ(state_of(claim->case_id), "failed");
+  EXPECT_EQ(message_of(claim->case_id), "killed by signal 11");
+  EXPECT_EQ(count("attempts"), 2);
+  EXPECT_FALSE(queue_.claim());
+}
+
+TEST_F(JobQueueTest, CancelledStudyLeavesTheQueueAtOnceAndItsRunsAreMarked) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  const auto running = queue_.claim();
+  EXPECT_FALSE(queue_.is_to_be_cancelled(*running));
+  EXPECT_TRUE(queue_.cancel(id));
+  EXPECT_FALSE(queue_.claim());
+  EXPECT_TRUE(queue_.is_to_be_cancelled(*running));
+  EXPECT_TRUE(queue_.interrupted(*running, "asked to"));
+  EXPECT_EQ(state_of(running->case_id), "cancelled");
+  EXPECT_EQ(last_ending_of(running->case_id), "interrupted");
+}
+
+TEST_F(JobQueueTest, CaseThatAnotherStudyWantsIsNotCancelled) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  queue_.submit(sample_study("other", {{"Ca", {0.75}}}));
+  queue_.cancel(id);
+  const auto claim = queue_.claim();
+  ASSERT_TRUE(claim);
+  EXPECT_EQ(nlohmann::json::parse(claim->document)["Ca"], 0.75);
+  EXPECT_FALSE(queue_.claim());
+}
+
+TEST_F(JobQueueTest, CancelledStudyThatIsSubmittedAgainIsQueuedAgain) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  const auto running = queue_.claim();
+  queue_.cancel(id);
+  queue_.submit(two_cases_);
+  EXPECT_FALSE(queue_.is_to_be_cancelled(*running));
+  EXPECT_TRUE(queue_.claim());
+}
+
+TEST_F(JobQueueTest, RunThatCompletesInSpiteOfACancellationKeepsItsAnswer) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  const auto running = queue_.claim();
+  queue_.cancel(id);
+  EXPECT_TRUE(queue_.finish(*running, Ending::done, ""));
+  EXPECT_EQ(state_of(running->case_id), "done");
+}
+
+TEST_F(JobQueueTest, UnknownStudyCannotBeCancelled) { EXPECT_FALSE(queue_.cancel("nobody-0000")); }
+
+TEST_F(JobQueueTest, RunningClaimsAreFoundAgainWithTheirHandles) {
+  queue_.submit(two_cases_);
+  const auto claim = queue_.claim();
+  queue_.started(*claim, "process 42");
+  const auto found = queue_.running();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].case_id, claim->case_id);
+  EXPECT_EQ(found[0].token, claim->token);
+  EXPECT_EQ(found[0].handle, "process 42");
+}
+
+}  // namespace
+}  // namespace capstan

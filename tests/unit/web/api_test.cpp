@@ -1,0 +1,164 @@
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "runner/web/routes.hpp"
+#include "tests/support/service_fixture.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+using testing::StartsWith;
+
+class ApiTest : public ServiceFixture {
+ protected:
+  Response ask(const std::string& method, const std::string& path, const std::string& body = "") {
+    return respond(*service_, {method, path, {}, "", body});
+  }
+  Response get(const std::string& path, std::vector<std::pair<std::string, std::string>> query = {},
+               const std::string& accept = "") {
+    return respond(*service_, {"GET", path, std::move(query), accept, ""});
+  }
+  ordered_json json(const Response& response) { return ordered_json::parse(response.body); }
+
+  /// A tumbling case at Ca = 0.25 and one without an answer at Ca = 0.75.
+  std::string submit_and_complete_one() {
+    const std::string document = study_document("api", {{"Ca", {0.25, 0.75}}, {"V", {4}}}).dump();
+    const std::string id = json(ask("POST", "/v1/studies", document))["id"];
+    service_->tick();
+    write_history("run 1", "{\"kt\":15,\"theta\":0.5}\n{\"kt\":30,\"theta\":-2.5}\n");
+    complete("run 1", "tumbling");
+    service_->tick();
+    return id;
+  }
+};
+
+TEST_F(ApiTest, HealthNamesTheProgram) { EXPECT_EQ(json(get("/healthz"))["program"], "capstan"); }
+
+TEST_F(ApiTest, NewStudyIsCreatedAndLinksToItsParts) {
+  const Response response = ask("POST", "/v1/studies", study_document("api", {{"Ca", {0.25, 0.75}}}).dump());
+  EXPECT_EQ(response.status, 201);
+  const ordered_json study = json(response);
+  EXPECT_THAT(study["id"].get<std::string>(), StartsWith("api-"));
+  EXPECT_EQ(study["cases"]["queued"], 2);
+  EXPECT_EQ(response.headers.at("Location"), study["links"]["self"]);
+  EXPECT_EQ(get(study["links"]["self"]).status, 200);
+  EXPECT_EQ(get(study["links"]["cases"]).status, 200);
+  EXPECT_EQ(get(study["links"]["phase_diagram"]).status, 200);
+}
+
+TEST_F(ApiTest, SameStudyAgainIsFoundNotCreated) {
+  const std::string document = study_document("api", {{"Ca", {0.25}}}).dump();
+  const Response first = ask("POST", "/v1/studies", document);
+  const Response second = ask("POST", "/v1/studies", document);
+  EXPECT_EQ(second.status, 200);
+  EXPECT_EQ(json(first)["id"], json(second)["id"]);
+  EXPECT_THAT(json(get("/v1/studies"))["studies"], SizeIs(1));
+}
+
+TEST_F(ApiTest, InvalidStudyIsRefusedWithAllFaultsAndQueuesNothing) {
+  const Response response =
+      ask("POST", "/v1/studies",
+          study_document("api", {{"Ca", {0.25, -1}}, {"V", {"thick"}}, {"Q", {1}}}).dump());
+  EXPECT_EQ(response.status, 422);
+  EXPECT_EQ(response.content_type, "application/problem+json");
+  std::set<std::string> pointers;
+  const ordered_json body = json(response);
+  for (const ordered_json& error : body["errors"]) pointers.insert(error["pointer"]);
+  EXPECT_THAT(pointers, ElementsAre("/axes/Ca/1", "/axes/Q", "/axes/V/0"));
+  EXPECT_THAT(json(get("/v1/studies"))["studies"], SizeIs(0));
+}
+
+TEST_F(ApiTest, EveryTruncationOfAStudyIsRefused) {
+  const std::string document = study_document("api", {{"Ca", {0.25}}}).dump();
+  for (std::size_t length = 0; length < document.size(); ++length)
+    EXPECT_EQ(ask("POST", "/v1/studies", document.substr(0, length)).status, 422) << length;
+}
+
+TEST_F(ApiTest, CaseSaysItsMotionAndTheEvidence) {
+  const ordered_json found = json(get("/v1/studies/" + submit_and_complete_one() + "/cases"))["cases"];
+  ASSERT_THAT(found, SizeIs(2));
+  EXPECT_EQ(found[0]["motion"], "tumbling");
+  EXPECT_EQ(found[0]["evidence"]["turns"], 2);
+  EXPECT_EQ(found[0]["parameters"]["Ca"], 0.25);
+  EXPECT_TRUE(found[1]["motion"].is_null());
+  EXPECT_EQ(json(get("/v1/cases/" + found[0]["id"].get<std::string>()))["attempts"][0]["ending"], "done");
+}
+
+TEST_F(ApiTest, CasesAreFilteredByMotionStateAndParameters) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one() + "/cases";
+  const auto count = [&](std::vector<std::pair<std::string, std::string>> query) {
+    return json(get(path, std::move(query)))["cases"].size();
+  };
+  EXPECT_EQ(count({{"motion", "tumbling"}}), 1u);
+  EXPECT_EQ(count({{"motion", "tank_treading"}}), 0u);
+  EXPECT_EQ(count({{"state", "running"}, {"Ca", "0.75"}}), 1u);
+  EXPECT_EQ(count({{"Ca", "0.2500"}, {"V", "4"}}), 1u);
+  EXPECT_EQ(count({{"Ca", "0.25"}, {"V", "5"}}), 0u);
+  EXPECT_EQ(count({{"shape", "biconcave"}}), 2u);
+  EXPECT_EQ(count({{"shape", "sphere"}}), 0u);
+}
+
+TEST_F(ApiTest, FilterThatCannotBeMetIsRefused) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one() + "/cases";
+  EXPECT_EQ(get(path, {{"colour", "red"}}).status, 400);
+  EXPECT_EQ(get(path, {{"motion", "flying"}}).status, 400);
+  EXPECT_EQ(get(path, {{"Ca') OR 1 --", "1"}}).status, 400);
+}
+
+TEST_F(ApiTest, HistoryComesInColumnsOrAsCsv) {
+  const std::string id = submit_and_complete_one();
+  const std::string case_id = json(get("/v1/studies/" + id + "/cases"))["cases"][0]["id"];
+  const std::string path = "/v1/cases/" + case_id + "/history";
+  EXPECT_EQ(json(get(path))["kt"], ordered_json({15.0, 30.0}));
+  EXPECT_EQ(json(get(path))["theta"], ordered_json({0.5, -2.5}));
+  EXPECT_TRUE(json(get(path))["psi"][0].is_null());
+  EXPECT_THAT(get(path, {{"format", "csv"}}).body, StartsWith("kt,D_xy,theta,psi,volume,area\r\n15,,0.5,"));
+  EXPECT_THAT(get(path, {}, "text/csv").content_type, StartsWith("text/csv"));
+}
+
+TEST_F(ApiTest, PhaseDiagramHasTheMotionOfEachCell) {
+  const ordered_json diagram = json(get("/v1/studies/" + submit_and_complete_one() + "/phase-diagram"));
+  EXPECT_EQ(diagram["x"]["parameter"], "Ca");
+  EXPECT_EQ(diagram["y"]["values"], ordered_json({4}));
+  EXPECT_EQ(diagram["rows"][0][0]["motion"], "tumbling");
+  EXPECT_EQ(diagram["rows"][0][1]["state"], "running");
+}
+
+TEST_F(ApiTest, StudyIsCancelled) {
+  const std::string id = submit_and_complete_one();
+  const ordered_json study = json(ask("POST", "/v1/studies/" + id + "/cancel"));
+  EXPECT_EQ(study["cancelled"], true);
+  service_->tick();
+  EXPECT_EQ(executor_.asked_to_stop.size(), 1u);
+}
+
+TEST_F(ApiTest, WhatIsNotThereIsNotFound) {
+  for (const char* path :
+       {"/", "/v1", "/v1/studies/nobody", "/v1/studies/nobody/cases", "/v1/studies/a/b/cases",
+        "/v1/studies/nobody/phase-diagram", "/v1/cases/0123", "/v1/cases/0123/history", "/v1/cases/"})
+    EXPECT_EQ(get(path).status, 404) << path;
+  EXPECT_EQ(ask("POST", "/v1/studies/nobody/cancel").status, 404);
+}
+
+TEST_F(ApiTest, KnownPathAnswersOtherMethodsWithThoseItHas) {
+  const Response response = ask("DELETE", "/v1/studies");
+  EXPECT_EQ(response.status, 405);
+  EXPECT_EQ(response.headers.at("Allow"), "POST, GET");
+  EXPECT_EQ(get("/v1/studies/nobody/cancel").status, 405);
+}
+
+TEST_F(ApiTest, BytesThatAreNoTextBreakNoAnswer) {
+  const std::string id = submit_and_complete_one();
+  std::ofstream(directory_of("run 2").log_file()) << "\xff\xfe";
+  executor_.exit("run 2", 2);
+  service_->tick();
+  EXPECT_THAT(get("/v1/studies/" + id + "/cases").body, HasSubstr("the solver refused the case"));
+}
+
+}  // namespace
+}  // namespace capstan
