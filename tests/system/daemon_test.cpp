@@ -28,6 +28,10 @@ class DaemonTest : public testing::Test {
   ordered_json history(Client& client, const ordered_json& shown) {
     return client.get("/v1/cases/" + shown["id"].get<std::string>() + "/history");
   }
+  /// Its cases have written half of their history.
+  void wait_for_half(Client& client, const std::string& id) {
+    wait_for(client, "/v1/studies/" + id, [](const ordered_json& study) { return study["progress"] == 0.5; });
+  }
   std::vector<std::string> endings(Client& client, const ordered_json& shown) {
     std::vector<std::string> all;
     const ordered_json full = client.get("/v1/cases/" + shown["id"].get<std::string>());
@@ -69,7 +73,7 @@ TEST_F(DaemonTest, EachImpossibleCaseSaysWhyAndTheOthersFinish) {
 TEST_F(DaemonTest, RunsEndWithAKilledDaemon) {
   Daemon daemon(data_.path());
   Client client(daemon.url());
-  wait_for_cases(client, submit(client, {{"Ca", {0.25}}, {"V", {70}}}), "running", 1);
+  wait_for_half(client, submit(client, {{"Ca", {0.25}}, {"V", {70}}}));
   Database database(data_.path() / "capstan.sqlite", Database::Access::read);
   Statement row = database.query("SELECT handle FROM attempts");
   ASSERT_TRUE(row.step());
@@ -104,7 +108,7 @@ TEST_F(DaemonTest, TerminatedDaemonHasItsRunsWriteACheckpointAndExitsWithZero) {
   Daemon daemon(data_.path());
   Client client(daemon.url());
   const std::string id = submit(client, {{"Ca", {0.25}}, {"V", {80}}});
-  wait_for(client, "/v1/studies/" + id, [](const ordered_json& study) { return study["progress"] == 0.5; });
+  wait_for_half(client, id);
   EXPECT_EQ(daemon.end_with(SIGTERM), 0);
   const Daemon successor(data_.path());
   Client again(successor.url());
