@@ -1,8 +1,5 @@
 #include "solver/mesh/curvature.hpp"
 
-#include <cmath>
-#include <numbers>
-
 #include "solver/mesh/geometry.hpp"
 
 namespace capstan {
@@ -18,7 +15,6 @@ struct Corner {
   double dot() const { return side1.dot(side2); }
   double cross() const { return side1.cross(side2).norm(); }
   double cotangent() const { return dot() / cross(); }
-  double angle() const { return std::atan2(cross(), dot()); }
 };
 
 /// The share of each corner in the area of one face.
@@ -83,13 +79,6 @@ Scalars mean_curvature(const TriangleMesh& mesh, const Points& positions) {
     twice -= laplacian.cwiseProduct(normals.row(axis).transpose());
   }
   return twice / 2;
-}
-
-Scalars angle_defects(const Points& positions, const Faces& faces) {
-  Scalars defects = Scalars::Constant(positions.cols(), 2 * std::numbers::pi);
-  for (const auto& face : faces.colwise())
-    for (int corner : {0, 1, 2}) defects[face[corner]] -= Corner(positions, face, corner).angle();
-  return defects;
 }
 
 }  // namespace capstan

@@ -20,7 +20,4 @@ Scalars laplace_beltrami(const TriangleMesh& mesh, const Points& positions, cons
 /// H of each vertex from the cotangent formula:  Delta x = -2 H n.
 Scalars mean_curvature(const TriangleMesh& mesh, const Points& positions);
 
-/// 2 pi minus the angles around each vertex: K integrated over its share. They sum up to 4 pi (Gauss-Bonnet).
-Scalars angle_defects(const Points& positions, const Faces& faces);
-
 }  // namespace capstan

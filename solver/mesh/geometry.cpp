@@ -19,10 +19,6 @@ Points face_area_vectors(const Points& positions, const Faces& faces) {
   return area_vectors;
 }
 
-Points face_normals(const Points& positions, const Faces& faces) {
-  return face_area_vectors(positions, faces).colwise().normalized();
-}
-
 Scalars face_areas(const Points& positions, const Faces& faces) {
   return face_area_vectors(positions, faces).colwise().norm();
 }

@@ -8,7 +8,6 @@ namespace capstan {
 
 /// 3 x #F: unit normal times area of each face.
 Points face_area_vectors(const Points& positions, const Faces& faces);
-Points face_normals(const Points& positions, const Faces& faces);
 Scalars face_areas(const Points& positions, const Faces& faces);
 
 /// A third of the areas of the faces around each vertex; they sum up to the area.
