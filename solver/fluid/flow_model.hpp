@@ -1,7 +1,9 @@
 #pragma once
 // The one interface between membrane and fluid: forces at the vertices in, velocities of the vertices out.
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "solver/mesh/triangle_mesh.hpp"
 
@@ -11,10 +13,15 @@ class StateArchive;
 
 /// What one solution of the flow cost, and how sure it is.
 struct FlowReport {
-  int iterations = 0;         ///< multigrid cycles, lattice steps or matrix-vector products
-  double error = 0;           ///< estimated relative error of the vertex velocities; 0 where there is none
-  bool converged = true;      ///< false: the iteration stopped at its limit, or the flow is not finite
+  int iterations = 0;  ///< multigrid cycles, lattice steps or matrix-vector products
+  double error = 0;    ///< estimated relative error of the vertex velocities; infinite when the flow is lost
+  bool converged = true;   ///< false: the velocities are of no use
+  std::string fault = {};  ///< why it did not converge
 };
+
+inline FlowReport lost_flow(std::string fault) {
+  return {.error = std::numeric_limits<double>::infinity(), .converged = false, .fault = std::move(fault)};
+}
 
 /// Flow around (and inside) one capsule in the shear flow u = (y, 0, 0). Units: a = k = mu_a = 1.
 class FlowModel {

@@ -1,0 +1,26 @@
+#pragma once
+// The regularised delta function of the immersed boundary method (paper eq. 35), in one direction.
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace capstan {
+
+/// Weights of the four cells around a point, and the first of them.
+struct DeltaStencil {
+  int first;
+  std::array<double, 4> weight;  ///< sums to 1 for every position
+};
+
+/// dx * delta_h(x) = 1/4 (1 + cos(pi x / (2 dx))) for |x| <= 2 dx.
+/// \param position  in cells: the centre of cell i is at i
+inline DeltaStencil delta_stencil(double position) {
+  DeltaStencil stencil{static_cast<int>(std::floor(position)) - 1, {}};
+  // cos(theta - n pi/2) for n = 0..3 from one sine and one cosine
+  const double angle = std::numbers::pi / 2 * (position - stencil.first);
+  const double c = std::cos(angle), s = std::sin(angle);
+  stencil.weight = {0.25 * (1 + c), 0.25 * (1 + s), 0.25 * (1 - c), 0.25 * (1 - s)};
+  return stencil;
+}
+
+}  // namespace capstan

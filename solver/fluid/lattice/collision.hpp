@@ -1,0 +1,53 @@
+#pragma once
+// Multiple-relaxation-time collision (d'Humieres et al. 2002) with the force of Lallemand et al. 2007, one
+// row of cells at a time.
+//
+// Populations are kept as deviations from the fluid at rest with density 1, so rho below is the deviation of
+// the density. The equilibrium is the incompressible one: products of momentum are divided by the mean
+// density 1.
+#include <cstddef>
+
+#include "solver/fluid/lattice/d3q19.hpp"
+
+namespace capstan {
+
+/// Relaxation rates of the moments that do not carry the shear viscosity, and the free constants of the
+/// equilibrium. In a steady flow they are numerical choices.
+struct MrtRates {
+  double e;      ///< s_1: bulk viscosity
+  double eps;    ///< s_2
+  double q;      ///< s_4 = s_6 = s_8: energy flux
+  double pi;     ///< s_10 = s_12
+  double m;      ///< s_16 = s_17 = s_18
+  double w_eps;  ///< eps_eq = w_eps rho + w_eps_j j^2
+  double w_eps_j;
+  double w_xx;  ///< pi_xx_eq = w_xx p_xx_eq
+};
+
+/// The paper's: s = 1.8 for all but the stress, constants of d'Humieres et al. for stability. The bulk
+/// viscosity (eq. 16) is not stated in the paper; d'Humieres' s_1 = 1.19 is used.
+inline constexpr MrtRates kPaperRates = {1.19, 1.8, 1.8, 1.8, 1.8, 0, -475.0 / 63, 0};
+
+/// Chosen for the smoothing factor of the multigrid cycle.
+/// Differs from the paper: rates near 1 damp the non-hydrodynamic modes that cap the convergence at rate 1.8.
+inline constexpr MrtRates kTunedRates = {1.35, 0.95, 1.0, 1.05, 1.21, 3, -5.5, -0.5};
+
+/// Rate of the stress moments for a kinematic viscosity in lattice units (eq. 15).
+inline double stress_rate(double nu_lu) { return 1 / (3 * nu_lu + 0.5); }
+
+/// One row of cells to collide. Arrays of `count` cells each.
+struct CollisionRow {
+  const double* f[d3q19::kQ];  ///< populations before
+  double* f_star[d3q19::kQ];   ///< populations after
+  const double* s_nu;          ///< stress rate cell by cell
+  const double* force[3];      ///< force a cell, lattice units
+  std::size_t count;
+};
+
+/// f* = f - M^-1 S (M f - m_eq) with force (paper eqs. 13, 18, 19).
+/// \param inertia  factor of the products of momentum in m_eq: 1, or 0 for Stokes flow; a coarse multigrid
+/// level
+///                 that keeps the numbers of the velocity has its Reynolds number restored by 2^level
+void collide(const CollisionRow& row, const MrtRates& rates, double inertia);
+
+}  // namespace capstan
