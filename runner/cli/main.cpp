@@ -1,3 +1,4 @@
 #include "runner/cli/program.hpp"
+#include "runner/execute/worker.hpp"
 
-int main(int argc, char** argv) { return capstan::run_program(argc, argv, nullptr); }
+int main(int argc, char** argv) { return capstan::run_program(argc, argv, capstan::solve_case); }

@@ -1,0 +1,137 @@
+#include "runner/execute/worker.hpp"
+
+#include <omp.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "runner/execute/exit_code.hpp"
+#include "solver/case/content_id.hpp"
+#include "solver/case/parse.hpp"
+#include "solver/simulation/run_recorder.hpp"
+#include "solver/state/durable_file.hpp"
+
+namespace capstan {
+namespace {
+
+volatile std::sig_atomic_t interruption_wanted = 0;
+
+/// The daemon, a terminal and Slurm (--signal=USR1) ask for a checkpoint and an end with these.
+void checkpoint_on_signals() {
+  for (int signal : {SIGTERM, SIGINT, SIGUSR1}) std::signal(signal, [](int) { interruption_wanted = 1; });
+}
+
+/// One core a case, unless OMP_NUM_THREADS says more: a study keeps all cores busy with its cases, and
+/// threads that share a core with another case wait for each other.
+void use_one_core_by_default() {
+  if (!std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(1);
+}
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+ParsedCase read_case(const std::filesystem::path& path) {
+  const ParsedJson json = parse_json(contents(path));
+  return json.value ? parse_case(*json.value) : ParsedCase{std::nullopt, json.issues};
+}
+
+/// Says how far the run is: a line that overwrites itself on a terminal, a line a unit of kt elsewhere.
+class Progress {
+ public:
+  explicit Progress(double end) : end_(end), on_terminal_(isatty(STDERR_FILENO)) {}
+
+  void show(const Record& record) {
+    if (!on_terminal_ && record.kt < next_) return;
+    next_ = record.kt + 1;
+    if (first_ < 0) first_ = record.kt;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+    const double done = record.kt - first_;
+    const double left = done > 0 ? seconds * (end_ - record.kt) / done : 0;
+    std::fprintf(stderr, "%skt = %.1f of %.1f, D_xy = %.3f, about %.0f s left%s", on_terminal_ ? "\r" : "",
+                 record.kt, end_, record.D_xy, left, on_terminal_ ? "   " : "\n");
+  }
+
+ private:
+  double end_, first_ = -1, next_ = 0;
+  bool on_terminal_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+class Worker : public RunRecorder {
+ public:
+  Worker(const std::filesystem::path& out, const Case& c)
+      : RunRecorder(out, c, [] { return interruption_wanted != 0; }), progress_(c.until.kt) {}
+
+  void record(const Record& record) override {
+    RunRecorder::record(record);
+    progress_.show(record);
+  }
+
+ private:
+  Progress progress_;
+};
+
+int exit_code_of(const Outcome& outcome) {
+  switch (outcome.stop) {
+    case Stop::interrupted:
+      return kExitInterrupted;
+    case Stop::diverged:
+    case Stop::not_converged:
+      return kExitNoAnswer;
+    default:
+      return kExitDone;
+  }
+}
+
+/// A directory belongs to one case: the first that ran there.
+bool claim_directory(const std::filesystem::path& out, const Case& c) {
+  std::filesystem::create_directories(out);
+  const std::filesystem::path mark = out / "case.json";
+  if (!std::filesystem::exists(mark)) write_durably(mark, to_json(c).dump(2) + "\n");
+  const ParsedCase there = read_case(mark);
+  return there.value && case_id(*there.value) == case_id(c);
+}
+
+int solve(const std::filesystem::path& case_file, const std::filesystem::path& out) {
+  const ParsedCase parsed = read_case(case_file);
+  for (const Issue& issue : parsed.issues)
+    std::cerr << case_file.string() << ": " << (issue.pointer.empty() ? "" : issue.pointer + ": ")
+              << issue.message << "\n";
+  if (!parsed.value) return kExitInvalidInput;
+  if (!claim_directory(out, *parsed.value)) {
+    std::cerr << out.string() << " holds the run of another case: choose another directory\n";
+    return kExitInvalidInput;
+  }
+  Worker worker(out, *parsed.value);
+  Simulation simulation(*parsed.value);
+  worker.resume(simulation, [](const std::string& line) { std::cerr << line << "\n"; });
+  const Outcome outcome = simulation.run(worker);
+  std::cerr << (isatty(STDERR_FILENO) ? "\n" : "") << word(outcome.stop)
+            << (outcome.message.empty() ? "" : ": " + outcome.message) << "\n";
+  if (outcome.stop != Stop::interrupted) worker.finish(simulation, outcome);
+  return exit_code_of(outcome);
+}
+
+}  // namespace
+
+int solve_case(const std::filesystem::path& case_file, const std::filesystem::path& out) {
+  checkpoint_on_signals();
+  use_one_core_by_default();
+  try {
+    return solve(case_file, out);
+  } catch (const std::exception& error) {
+    std::cerr << "capstan solve: " << error.what() << "\n";
+    return kExitError;
+  }
+}
+
+}  // namespace capstan

@@ -1,0 +1,62 @@
+#include "solver/simulation/result.hpp"
+
+#include <sys/resource.h>
+
+#include <cmath>
+
+#include "solver/case/content_id.hpp"
+
+namespace capstan {
+namespace {
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::round(double(usage.ru_maxrss) / 1024);
+}
+
+nlohmann::ordered_json to_json(const Evidence& e) {
+  return {{"n_theta", e.n_theta}, {"n_psi", e.n_psi}, {"r", e.r},
+          {"D_min", e.D_min},     {"turns", e.turns}, {"theta_range", e.theta_range},
+          {"margin", e.margin}};
+}
+
+std::vector<std::string> warnings(const Case& c, const RunStatistics& statistics) {
+  std::vector<std::string> said;
+  if (c.fluid == Fluid::quasisteady && c.Re >= 0.1)
+    said.push_back("Re >= 0.1: the quasi-steady flow neglects the time derivative");
+  if (statistics.volume_drift > 0.01) said.push_back("the volume drifted by more than 1 %");
+  return said;
+}
+
+}  // namespace
+
+nlohmann::ordered_json result_json(const Case& c, const Simulation& simulation, const Outcome& outcome,
+                                   double seconds) {
+  const RunStatistics& statistics = simulation.statistics();
+  const Verdict verdict = classify(simulation.history());
+  nlohmann::ordered_json result;
+  result["format"] = 1;
+  result["stop"] = word(outcome.stop);
+  result["message"] = outcome.message;
+  result["motion"] = word(verdict.motion);
+  result["evidence"] = to_json(verdict.evidence);
+  if (!simulation.history().empty())
+    result["final"] = nlohmann::ordered_json::parse(to_json_line(simulation.history().back()));
+  result["cost"] = {{"seconds", std::round(seconds * 1000) / 1000},
+                    {"steps", statistics.steps},
+                    {"flow_iterations", statistics.flow_iterations},
+                    {"peak_memory_mb", peak_memory_mb()}};
+  nlohmann::ordered_json& trust = result["trust"];
+  trust["numerics_version"] = kNumericsVersion;
+  trust["fluid"] = word(c.fluid);
+  trust["bending"] = c.has_bending() ? word(c.bending) : "none";
+  trust["volume_drift"] = statistics.volume_drift;
+  trust["area_drift"] = statistics.area_drift;
+  trust["worst_flow_error"] = statistics.worst_flow_error;
+  trust["left_out"] = left_out(c);
+  trust["warnings"] = warnings(c, statistics);
+  return result;
+}
+
+}  // namespace capstan

@@ -1,0 +1,134 @@
+#include "solver/simulation/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "solver/mesh/geometry.hpp"
+#include "solver/mesh/shapes.hpp"
+#include "solver/simulation/history_archive.hpp"
+#include "solver/state/points_archive.hpp"
+
+namespace capstan {
+
+// Paper, section VI: at each step the membrane's forces drive a steady flow, and the membrane moves with that
+// flow.
+Outcome Simulation::run(RunOutput& output) {
+  for (;;) {
+    membrane_.forces(positions_, forces_);                                         // eqs. 29, 31
+    const FlowReport flow = flow_->solve(kt(), positions_, forces_, velocities_);  // eqs. 20-25, 33-36, 40
+    if (auto outcome = failure(flow)) return *outcome;
+    note(flow);
+    if (record_is_due()) record(output);  // eqs. 5, 44
+    if (auto outcome = finished()) return *outcome;
+    stepper_.advance(velocities_, time_.kdt, positions_);  // eqs. 37, 38
+    ++statistics_.steps;
+    const bool interrupted = output.interrupted();
+    if (interrupted || statistics_.steps % case_.outputs.checkpoint_every == 0) save_checkpoint(output);
+    if (interrupted) return {Stop::interrupted};
+  }
+}
+
+Simulation::Simulation(const Case& c)
+    : case_(c),
+      sphere_(make_icosphere(*icosphere_subdivisions(c.fidelity.nodes))),
+      positions_(initial_positions(c, sphere_)),
+      forces_(Points::Zero(3, positions_.cols())),
+      velocities_(Points::Zero(3, positions_.cols())),
+      membrane_(c, sphere_.mesh, positions_),
+      flow_(make_flow(c, sphere_.mesh)),
+      time_(c, flow_->imposed_time_step()),
+      tracker_(positions_, sphere_.mesh.faces),
+      initial_volume_(volume(positions_, faces())),
+      initial_area_(area(positions_, faces())) {}
+
+TimeGrid::TimeGrid(const Case& c, std::optional<double> imposed_kdt)
+    : kdt(imposed_kdt.value_or(c.fidelity.kdt)),
+      steps(std::max(1L, std::lround(c.until.kt / kdt))),
+      steps_a_record(std::max(1L, std::lround(c.outputs.history_every / kdt))) {
+  const double record_kt = kdt * double(steps_a_record);
+  if (c.outputs.shapes_every > 0)
+    steps_a_shape = steps_a_record * std::max(1L, std::lround(c.outputs.shapes_every / record_kt));
+}
+
+/// Rounded, so that a history says 0.3 and not 0.30000000000000004.
+double Simulation::kt() const { return std::round(double(statistics_.steps) * time_.kdt * 1e9) / 1e9; }
+
+std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
+  const auto at_this_time = [&](const std::string& what) {
+    std::ostringstream text;
+    text << "at kt = " << kt() << ": " << what;
+    return text.str();
+  };
+  for (Eigen::Index vertex = 0; vertex < positions_.cols(); ++vertex)
+    if (!positions_.col(vertex).allFinite())
+      return Outcome{Stop::diverged,
+                     at_this_time("vertex " + std::to_string(vertex) + " has no finite position")};
+  if (!flow.converged)
+    return Outcome{std::isfinite(flow.error) ? Stop::not_converged : Stop::diverged,
+                   at_this_time(flow.fault)};
+  constexpr double kLargestDrift = 0.1;  // the first symptom of a time step that is too large
+  const double drift = volume(positions_, faces()) / initial_volume_ - 1;
+  if (!(std::abs(drift) < kLargestDrift))
+    return Outcome{Stop::diverged,
+                   at_this_time("the volume has drifted by " + std::to_string(std::lround(100 * drift)) +
+                                " %; try a smaller kdt or dx")};
+  return std::nullopt;
+}
+
+void Simulation::note(const FlowReport& flow) {
+  iterations_since_record_ += flow.iterations;
+  statistics_.flow_iterations += flow.iterations;
+  last_flow_error_ = flow.error;
+  statistics_.worst_flow_error = std::max(statistics_.worst_flow_error, flow.error);
+}
+
+bool Simulation::record_is_due() const {
+  return statistics_.steps % time_.steps_a_record == 0 || statistics_.steps == time_.steps;
+}
+
+void Simulation::record(RunOutput& output) {
+  Record now = tracker_.observe(kt(), positions_);
+  now.iterations = std::exchange(iterations_since_record_, 0);
+  now.error = last_flow_error_;
+  history_.push_back(now);
+  statistics_.volume_drift = std::max(statistics_.volume_drift, std::abs(now.volume / initial_volume_ - 1));
+  statistics_.area_drift = std::max(statistics_.area_drift, std::abs(now.area / initial_area_ - 1));
+  output.record(now);
+  if (time_.steps_a_shape > 0 && statistics_.steps % time_.steps_a_shape == 0)
+    output.shape(kt(), int(statistics_.steps / time_.steps_a_shape), positions_, velocities_, forces_);
+}
+
+std::optional<Outcome> Simulation::finished() const {
+  if (statistics_.steps >= time_.steps) return Outcome{Stop::reached_end};
+  if (case_.until.classified && record_is_due() && classify(history_).certain)
+    return Outcome{Stop::classified};
+  return std::nullopt;
+}
+
+void Simulation::save_checkpoint(RunOutput& output) const {
+  StateArchive archive;
+  put_points(archive, "positions", positions_);
+  stepper_.save(archive);
+  flow_->save(archive);
+  tracker_.save(archive);
+  put_history(archive, history_);
+  archive.put("statistics", {double(statistics_.steps), double(statistics_.flow_iterations),
+                             statistics_.worst_flow_error, statistics_.volume_drift, statistics_.area_drift});
+  archive.put("iterations_since_record", iterations_since_record_);
+  output.checkpoint(std::move(archive));
+}
+
+void Simulation::load(const StateArchive& archive) {
+  positions_ = get_points(archive, "positions");
+  stepper_.load(archive);
+  flow_->load(archive);
+  tracker_.load(archive);
+  history_ = get_history(archive);
+  const auto saved = archive.get("statistics");
+  statistics_ = {long(saved[0]), long(saved[1]), saved[2], saved[3], saved[4]};
+  iterations_since_record_ = int(archive.number("iterations_since_record"));
+}
+
+}  // namespace capstan
