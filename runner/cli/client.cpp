@@ -42,8 +42,4 @@ ordered_json Client::post(const std::string& path, const std::string& body) {
   return content(http_->Post(path, body, "application/json"), server_);
 }
 
-void add_server_option(CLI::App& command, std::string& server) {
-  command.add_option("--server", server, "the server to ask")->type_name("URL")->capture_default_str();
-}
-
 }  // namespace capstan

@@ -1,6 +1,5 @@
 #pragma once
 // A client of the server: JSON in and out, failures as exceptions that say what to do.
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -43,8 +42,5 @@ class Client {
   std::string server_;
   std::unique_ptr<httplib::Client> http_;
 };
-
-/// Declares --server.
-void add_server_option(CLI::App& command, std::string& server);
 
 }  // namespace capstan

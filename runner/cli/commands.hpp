@@ -1,23 +1,39 @@
 #pragma once
-// One function a subcommand: it declares the arguments and returns what to do once they are read.
-#include <CLI/CLI.hpp>
-#include <functional>
+// The commands, with their arguments read. Each returns the exit code.
+#include <string>
+#include <thread>
 
-#include "runner/cli/program.hpp"
+#include "runner/cli/client.hpp"
 
 namespace capstan {
 
-using Action = std::function<int()>;  ///< the exit code
+struct ServeArguments {
+  std::string data = "capstan-data";
+  std::string listen = "127.0.0.1:8017";
+  int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+};
+int serve(const ServeArguments& arguments);
 
-Action declare_solve(CLI::App& command, const SolveCase& solve);
-Action declare_serve(CLI::App& command);
-Action declare_validate(CLI::App& command);
-Action declare_submit(CLI::App& command);
-Action declare_studies(CLI::App& command);
-Action declare_show(CLI::App& command);
-Action declare_watch(CLI::App& command);
-Action declare_results(CLI::App& command);
-Action declare_phase_diagram(CLI::App& command);
-Action declare_cancel(CLI::App& command);
+int validate_study(const std::string& file);
+
+struct SubmitArguments {
+  std::string file;
+  bool watch = false;
+  std::string server = kDefaultServer;
+};
+int submit_study(const SubmitArguments& arguments);
+
+int print_studies(const std::string& server);
+
+struct StudyArguments {
+  std::string id;
+  std::string format = "table";  ///< of print_results: table, csv, json
+  std::string server = kDefaultServer;
+};
+int print_study(const StudyArguments& arguments);
+int watch_study(const StudyArguments& arguments);
+int print_results(const StudyArguments& arguments);
+int print_phase_diagram(const StudyArguments& arguments);
+int cancel_study(const StudyArguments& arguments);
 
 }  // namespace capstan

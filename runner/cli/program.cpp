@@ -1,16 +1,98 @@
 #include "runner/cli/program.hpp"
 
+#include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "runner/cli/client.hpp"
 #include "runner/cli/commands.hpp"
 #include "runner/cli/study_file.hpp"
 #include "runner/execute/exit_code.hpp"
+#include "runner/execute/local_executor.hpp"
 
 namespace capstan {
 namespace {
+
+using Action = std::function<int()>;
+
+void add_server_option(CLI::App& command, std::string& server) {
+  command.add_option("--server", server, "the server to ask")->type_name("URL")->capture_default_str();
+}
+
+Action declare_serve(CLI::App& command) {
+  auto arguments = std::make_shared<ServeArguments>();
+  command.add_option("--data", arguments->data, "where everything is kept; made if it is not there")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command.add_option("--listen", arguments->listen, "an address of this machine; port 0 takes any free one")
+      ->type_name("HOST:PORT")
+      ->capture_default_str();
+  command.add_option("--cores", arguments->cores, "cases that run side by side")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N")
+      ->capture_default_str();
+  command.footer(
+      "Ctrl-C or SIGTERM: running cases write a checkpoint, and the next start goes on from there.\n"
+      "Example:\n  capstan serve --data /srv/capsules --cores 4\n");
+  return [arguments] { return serve(*arguments); };
+}
+
+Action declare_validate(CLI::App& command) {
+  auto file = std::make_shared<std::string>();
+  command.add_option("FILE", *file, "the study")->required();
+  command.footer("Example:\n  capstan validate studies/quickstart/study.json\n");
+  return [file] { return validate_study(*file); };
+}
+
+Action declare_submit(CLI::App& command) {
+  auto arguments = std::make_shared<SubmitArguments>();
+  command.add_option("FILE", arguments->file, "the study")->required();
+  command.add_flag("--watch", arguments->watch, "show the progress until all cases have ended");
+  add_server_option(command, arguments->server);
+  command.footer(
+      "Prints the study's id. The same study again is the same id, and nothing is computed twice.\n"
+      "Example:\n  capstan submit studies/quickstart/study.json --watch\n");
+  return [arguments] { return submit_study(*arguments); };
+}
+
+Action declare_studies(CLI::App& command) {
+  auto server = std::make_shared<std::string>(kDefaultServer);
+  add_server_option(command, *server);
+  command.footer("Example:\n  capstan studies\n");
+  return [server] { return print_studies(*server); };
+}
+
+/// A command on one study.
+template <int (*run)(const StudyArguments&)>
+Action declare_on_study(CLI::App& command) {
+  auto arguments = std::make_shared<StudyArguments>();
+  command.add_option("ID", arguments->id, "the study")->required();
+  if (run == print_results)
+    command
+        .add_option("--format", arguments->format,
+                    "table: what varies, what came of it; csv, json: everything")
+        ->check(CLI::IsMember({"table", "csv", "json"}))
+        ->capture_default_str();
+  add_server_option(command, arguments->server);
+  command.footer("Example:\n  capstan " + command.get_name() + " quickstart-3f9c\n");
+  return [arguments] { return run(*arguments); };
+}
+
+Action declare_solve(CLI::App& command, const SolveCase& solve) {
+  auto files = std::make_shared<std::pair<std::filesystem::path, std::filesystem::path>>();
+  command.add_option("CASE", files->first, "the case (schema/case.schema.json)")->required();
+  command.add_option("--out", files->second, "the run directory; made if it is not there")->required();
+  command.footer(
+      "A run that was killed goes on where it stood when the same command is given again.\n"
+      "Example:\n  capstan solve case.json --out runs/first\n");
+  return [files, solve] {
+    end_with_daemon();
+    return solve(files->first, files->second);
+  };
+}
 
 struct Command {
   const char* name;
@@ -23,15 +105,15 @@ constexpr Command kCommands[] = {
     {"validate", "check a study file; every fault is reported", declare_validate},
     {"submit", "hand a study to the server", declare_submit},
     {"studies", "list all studies, the newest first", declare_studies},
-    {"show", "one study: its axes, progress and motions", declare_show},
-    {"watch", "show the progress of a study until all its cases have ended", declare_watch},
-    {"results", "the cases of a study and what came of them", declare_results},
-    {"phase-diagram", "the motion over two axes of a study", declare_phase_diagram},
-    {"cancel", "take a study's cases back", declare_cancel},
+    {"show", "one study: its axes, progress and motions", declare_on_study<print_study>},
+    {"watch", "show the progress of a study until all its cases have ended", declare_on_study<watch_study>},
+    {"results", "the cases of a study and what came of them", declare_on_study<print_results>},
+    {"phase-diagram", "the motion over two axes of a study", declare_on_study<print_phase_diagram>},
+    {"cancel", "take back what a study has not computed yet", declare_on_study<cancel_study>},
 };
 
-/// Reads the arguments; the exit code is in `code` when there is nothing to run (help, or a usage error).
-Action parse_arguments(int argc, char** argv, const SolveCase& solve, int& code) {
+/// What the arguments ask for; nothing, and the exit code in `code`, after help or a usage error.
+Action read_arguments(int argc, char** argv, const SolveCase& solve, int& code) {
   CLI::App app{"Capstan: do capsules in shear flow tumble or tank-tread, and how do they deform?", "capstan"};
   app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, Action>> actions;
@@ -39,19 +121,22 @@ Action parse_arguments(int argc, char** argv, const SolveCase& solve, int& code)
     CLI::App* parser = app.add_subcommand(command.name, command.summary);
     actions.emplace_back(parser, command.declare(*parser));
   }
-  if (solve) {
-    CLI::App* parser = app.add_subcommand("solve", "compute one case, or resume it, without a server");
-    actions.emplace_back(parser, declare_solve(*parser, solve));
-  }
+  CLI::App* parser = app.add_subcommand("solve", "compute one case, or resume it, without a server");
+  actions.emplace_back(parser, declare_solve(*parser, solve));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     code = app.exit(error) == 0 ? kExitDone : kExitInvalidInput;
     return nullptr;
   }
-  for (auto& [parser, action] : actions)
-    if (parser->parsed()) return action;
+  for (auto& [command, action] : actions)
+    if (command->parsed()) return action;
   return nullptr;
+}
+
+int report(const std::exception& error, int code) {
+  std::cerr << "capstan: " << error.what() << '\n';
+  return code;
 }
 
 }  // namespace
@@ -59,21 +144,17 @@ Action parse_arguments(int argc, char** argv, const SolveCase& solve, int& code)
 int run_program(int argc, char** argv, const SolveCase& solve) {
   try {
     int code = kExitDone;
-    const Action action = parse_arguments(argc, argv, solve, code);
+    const Action action = read_arguments(argc, argv, solve, code);
     return action ? action() : code;
   } catch (const Refused& refusal) {
-    std::cerr << "capstan: " << refusal.what() << '\n';
     if (!refusal.issues.empty()) print_issues(std::cerr, "the server", refusal.issues);
-    return refusal.status == 404 ? kExitNotFound : kExitInvalidInput;
+    return report(refusal, refusal.status == 404 ? kExitNotFound : kExitInvalidInput);
   } catch (const Unreachable& error) {
-    std::cerr << "capstan: " << error.what() << '\n';
-    return kExitUnreachable;
+    return report(error, kExitUnreachable);
   } catch (const std::invalid_argument& error) {
-    std::cerr << "capstan: " << error.what() << '\n';
-    return kExitInvalidInput;
+    return report(error, kExitInvalidInput);
   } catch (const std::exception& error) {
-    std::cerr << "capstan: " << error.what() << '\n';
-    return kExitError;
+    return report(error, kExitError);
   }
 }
 

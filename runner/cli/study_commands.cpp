@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <iostream>
-#include <memory>
 
 #include "runner/cli/client.hpp"
 #include "runner/cli/commands.hpp"
@@ -16,20 +15,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct StudyArguments {
-  std::string id, format = "table", server = kDefaultServer;
-  std::string path(const std::string& rest = "") const { return "/v1/studies/" + id + rest; }
-};
-
-std::shared_ptr<StudyArguments> declare_study_arguments(CLI::App& command, const std::string& example) {
-  auto arguments = std::make_shared<StudyArguments>();
-  command.add_option("ID", arguments->id, "the study")->required();
-  add_server_option(command, arguments->server);
-  command.footer("Example:\n  capstan " + example + "\n");
-  return arguments;
+std::string path_of(const StudyArguments& arguments, const std::string& rest = "") {
+  return "/v1/studies/" + arguments.id + rest;
 }
 
-int list_studies(const std::string& server) {
+}  // namespace
+
+int print_studies(const std::string& server) {
   const ordered_json answer = Client(server).get("/v1/studies");
   Table table{{"study", "submitted", "cases", "ended", "progress", "description"}, {}};
   for (const ordered_json& study : answer["studies"]) {
@@ -43,8 +35,8 @@ int list_studies(const std::string& server) {
   return kExitDone;
 }
 
-int show(const StudyArguments& arguments) {
-  const ordered_json study = Client(arguments.server).get(arguments.path());
+int print_study(const StudyArguments& arguments) {
+  const ordered_json study = Client(arguments.server).get(path_of(arguments));
   std::cout << study["id"].get<std::string>() << "  " << study["description"].get<std::string>() << '\n'
             << "submitted " << study["submitted_at"].get<std::string>()
             << (study["cancelled"] ? ", cancelled\n" : "\n") << progress_text(study) << '\n';
@@ -58,62 +50,28 @@ int show(const StudyArguments& arguments) {
   return kExitDone;
 }
 
-int results(const StudyArguments& arguments) {
+int print_results(const StudyArguments& arguments) {
   Client client(arguments.server);
-  const ordered_json answer = client.get(arguments.path("/cases"));
+  const ordered_json answer = client.get(path_of(arguments, "/cases"));
   if (arguments.format == "json")
     std::cout << answer.dump(2) << '\n';
   else if (arguments.format == "csv")
     std::cout << as_csv(full_table(answer["cases"]));
   else
-    std::cout << as_text(summary_table(client.get(arguments.path()), answer["cases"]));
+    std::cout << as_text(summary_table(client.get(path_of(arguments)), answer["cases"]));
   return kExitDone;
 }
 
-int draw_phase_diagram(const StudyArguments& arguments) {
-  const ordered_json answer = Client(arguments.server).get(arguments.path("/phase-diagram"));
+int print_phase_diagram(const StudyArguments& arguments) {
+  const ordered_json answer = Client(arguments.server).get(path_of(arguments, "/phase-diagram"));
   std::cout << render(phase_diagram_from_json(answer), isatty(STDOUT_FILENO) == 1);
   return kExitDone;
 }
 
-int cancel(const StudyArguments& arguments) {
-  const ordered_json study = Client(arguments.server).post(arguments.path("/cancel"), "");
+int cancel_study(const StudyArguments& arguments) {
+  const ordered_json study = Client(arguments.server).post(path_of(arguments, "/cancel"), "");
   std::cout << progress_text(study) << '\n';
   return kExitDone;
-}
-
-}  // namespace
-
-Action declare_studies(CLI::App& command) {
-  auto server = std::make_shared<std::string>(kDefaultServer);
-  add_server_option(command, *server);
-  return [server] { return list_studies(*server); };
-}
-
-Action declare_show(CLI::App& command) {
-  const auto arguments = declare_study_arguments(command, "show quickstart-3f9c");
-  return [arguments] { return show(*arguments); };
-}
-
-Action declare_results(CLI::App& command) {
-  const auto arguments =
-      declare_study_arguments(command, "results quickstart-3f9c --format csv > quickstart.csv");
-  command
-      .add_option("--format", arguments->format,
-                  "table: what varies and what came of it; csv, json: everything")
-      ->check(CLI::IsMember({"table", "csv", "json"}))
-      ->capture_default_str();
-  return [arguments] { return results(*arguments); };
-}
-
-Action declare_phase_diagram(CLI::App& command) {
-  const auto arguments = declare_study_arguments(command, "phase-diagram quickstart-3f9c");
-  return [arguments] { return draw_phase_diagram(*arguments); };
-}
-
-Action declare_cancel(CLI::App& command) {
-  const auto arguments = declare_study_arguments(command, "cancel quickstart-3f9c");
-  return [arguments] { return cancel(*arguments); };
 }
 
 }  // namespace capstan

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <iostream>
-#include <memory>
 #include <thread>
 
 #include "runner/cli/commands.hpp"
@@ -46,18 +45,9 @@ int watch_study(Client& client, const std::string& study_id, std::ostream& out, 
   }
 }
 
-Action declare_watch(CLI::App& command) {
-  struct Arguments {
-    std::string id, server = kDefaultServer;
-  };
-  auto arguments = std::make_shared<Arguments>();
-  command.add_option("ID", arguments->id, "the study")->required();
-  add_server_option(command, arguments->server);
-  command.footer("Example:\n  capstan watch quickstart-3f9c\n");
-  return [arguments] {
-    Client client(arguments->server);
-    return watch_study(client, arguments->id, std::cout, isatty(STDOUT_FILENO) == 1);
-  };
+int watch_study(const StudyArguments& arguments) {
+  Client client(arguments.server);
+  return watch_study(client, arguments.id, std::cout, isatty(STDOUT_FILENO) == 1);
 }
 
 }  // namespace capstan
