@@ -73,6 +73,7 @@ FlowReport QuasisteadyLbm::cycle_until_converged(Points& velocities) {
   constexpr int kMostCycles = 400;
   constexpr CycleShape kWCycle{.pre = 1, .post = 1, .visits = 2, .coarsest = 10};
   coupling_.vertex_velocities(levels_.front(), last_velocities_);
+  if (fidelity_.scheme == Scheme::paper) last_grid_velocity_ = grid_velocity();
   FlowReport report;
   double last_change = 0;
   while (report.iterations < kMostCycles) {
@@ -99,14 +100,18 @@ double QuasisteadyLbm::relative_change(const Points& velocities) {
     last_velocities_ = velocities;
     return change;
   }
-  const auto [nx, ny, nz] = levels_.front().extent();
-  VectorBox now;
-  now.reset({0, 0, 0}, {nx, ny, nz});
-  levels_.front().velocity(now);
-  const double change =
-      last_grid_velocity_.size() == now.size() ? relative_difference(now, last_grid_velocity_) : 1;
+  VectorBox now = grid_velocity();
+  const double change = relative_difference(now, last_grid_velocity_);
   last_grid_velocity_ = std::move(now);
   return change;
+}
+
+VectorBox QuasisteadyLbm::grid_velocity() const {
+  const auto [nx, ny, nz] = levels_.front().extent();
+  VectorBox velocity;
+  velocity.reset({0, 0, 0}, {nx, ny, nz});
+  levels_.front().velocity(velocity);
+  return velocity;
 }
 
 void QuasisteadyLbm::save(StateArchive& archive) const {

@@ -25,6 +25,7 @@ class QuasisteadyLbm : public FlowModel {
   void extrapolate_to(double kt);
   FlowReport cycle_until_converged(Points& velocities);
   double relative_change(const Points& velocities);
+  VectorBox grid_velocity() const;
 
   Fidelity fidelity_;
   std::vector<Level> levels_;
