@@ -1,0 +1,84 @@
+// A run that goes on from a checkpoint is the run that was never interrupted, to the last bit.
+#include <gtest/gtest.h>
+
+#include "solver/simulation/simulation.hpp"
+#include "tests/support/memory_output.hpp"
+#include "tests/support/parsed_case.hpp"
+
+namespace capstan {
+namespace {
+
+using testing::MemoryOutput;
+using testing::parsed_case;
+
+void expect_equal(const RunStatistics& a, const RunStatistics& b) {
+  EXPECT_EQ(a.steps, b.steps);
+  EXPECT_EQ(a.flow_iterations, b.flow_iterations);
+  EXPECT_EQ(a.worst_flow_error, b.worst_flow_error);
+  EXPECT_EQ(a.volume_drift, b.volume_drift);
+  EXPECT_EQ(a.area_drift, b.area_drift);
+}
+
+/// Resumes from every checkpoint of a run and compares what comes of it.
+void expect_resumed_equals_uninterrupted(const Case& c) {
+  MemoryOutput whole;
+  Simulation uninterrupted(c);
+  EXPECT_EQ(uninterrupted.run(whole).stop, Stop::reached_end);
+  ASSERT_GE(whole.checkpoints.size(), 3u);
+  for (const StateArchive& checkpoint : whole.checkpoints) {
+    MemoryOutput rest;
+    Simulation resumed(c);
+    resumed.load(checkpoint);
+    EXPECT_EQ(resumed.run(rest).stop, Stop::reached_end);
+    EXPECT_EQ(resumed.history(), whole.records);
+    expect_equal(resumed.statistics(), uninterrupted.statistics());
+  }
+}
+
+TEST(Resume, QuasisteadySphereGoesOnToTheLastBit) {
+  expect_resumed_equals_uninterrupted(parsed_case(R"({
+    "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"checkpoint_every": 3},
+    "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})"));
+}
+
+TEST(Resume, BiconcaveCapsuleWithBendingAndViscosityContrastGoesOnToTheLastBit) {
+  expect_resumed_equals_uninterrupted(parsed_case(R"({
+    "shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4,
+    "until": {"kt": 0.8}, "outputs": {"checkpoint_every": 3},
+    "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})"));
+}
+
+TEST(Resume, TransientFlowGoesOnToTheLastBit) {
+  expect_resumed_equals_uninterrupted(parsed_case(R"({
+    "Ca": 0.1, "V": 2, "fluid": "transient", "until": {"kt": 0.05},
+    "outputs": {"history_every": 0.01, "checkpoint_every": 50},
+    "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162}})"));
+}
+
+// The tolerance is met by a single cycle here, so that a start that is not the interrupted one would show.
+TEST(Resume, PapersSchemeGoesOnToTheLastBit) {
+  expect_resumed_equals_uninterrupted(parsed_case(R"({
+    "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"checkpoint_every": 3},
+    "fidelity": {"preset": "paper", "dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.08, "tolerance": 0.01}})"));
+}
+
+TEST(Resume, InterruptionLeavesACheckpointOfThatVeryStep) {
+  const Case c = parsed_case(R"({"Ca": 0.1, "until": {"kt": 0.4}, "outputs": {"checkpoint_every": 100},
+    "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})");
+  MemoryOutput stopped;
+  stopped.interruption_wanted = true;
+  Simulation simulation(c);
+  EXPECT_EQ(simulation.run(stopped).stop, Stop::interrupted);
+  EXPECT_EQ(simulation.statistics().steps, 1);
+  ASSERT_EQ(stopped.checkpoints.size(), 1u);
+
+  MemoryOutput whole, rest;
+  Simulation uninterrupted(c), resumed(c);
+  uninterrupted.run(whole);
+  resumed.load(stopped.checkpoints.front());
+  resumed.run(rest);
+  EXPECT_EQ(resumed.history(), whole.records);
+}
+
+}  // namespace
+}  // namespace capstan

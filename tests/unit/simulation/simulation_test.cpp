@@ -1,0 +1,127 @@
+#include "solver/simulation/simulation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "solver/simulation/result.hpp"
+#include "tests/support/memory_output.hpp"
+#include "tests/support/parsed_case.hpp"
+
+namespace capstan {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::MemoryOutput;
+using testing::parsed_case;
+using ::testing::StartsWith;
+
+/// Four steps of a small run.
+Case small_case() {
+  return parsed_case(R"({"Ca": 0.1, "until": {"kt": 0.32},
+    "outputs": {"history_every": 0.08, "shapes_every": 0.16},
+    "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.08}})");
+}
+
+Case stiff_case(double kdt) {
+  Case c = parsed_case(R"({"shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.05, "until": {"kt": 20},
+    "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162}})");
+  c.fidelity.kdt = kdt;
+  return c;
+}
+
+std::vector<double> times(const History& history) {
+  std::vector<double> all;
+  for (const Record& record : history) all.push_back(record.kt);
+  return all;
+}
+
+TEST(Simulation, RecordsFromTheStartToTheEndAtRoundTimes) {
+  MemoryOutput output;
+  Simulation simulation(small_case());
+  EXPECT_EQ(simulation.run(output).stop, Stop::reached_end);
+  EXPECT_THAT(times(output.records), ElementsAre(0, 0.08, 0.16, 0.24, 0.32));
+  EXPECT_THAT(output.shape_times, ElementsAre(0, 0.16, 0.32));
+  EXPECT_EQ(simulation.statistics().steps, 4);
+}
+
+TEST(Simulation, SphereElongatesTowardsTheAxisOfExtension) {
+  MemoryOutput output;
+  Simulation(small_case()).run(output);
+  EXPECT_LT(output.records.front().D_xy, 1e-12);
+  EXPECT_GT(output.records.back().D_xy, 0.1);
+  EXPECT_NEAR(output.records.back().theta, std::numbers::pi / 4, 0.1);
+}
+
+TEST(Simulation, EveryFlowIterationIsRecordedOnce) {
+  MemoryOutput output;
+  Simulation simulation(small_case());
+  simulation.run(output);
+  long recorded = 0;
+  for (const Record& record : output.records) recorded += record.iterations;
+  EXPECT_EQ(recorded, simulation.statistics().flow_iterations);
+}
+
+TEST(Simulation, TooLargeATimeStepStopsWithItsTimeAndReasonAndKeepsTheHistory) {
+  for (double kdt : {0.2, 0.5, 1.0}) {
+    MemoryOutput output;
+    Simulation simulation(stiff_case(kdt));
+    const Outcome outcome = simulation.run(output);
+    EXPECT_EQ(outcome.stop, Stop::diverged) << kdt;
+    EXPECT_THAT(outcome.message, StartsWith("at kt = "));
+    EXPECT_GE(output.records.size(), 1u);
+    EXPECT_EQ(output.records, simulation.history());
+    EXPECT_LT(simulation.history().back().kt, 20);
+  }
+}
+
+TEST(Simulation, FlowThatDoesNotConvergeIsAnOutcome) {
+  Case c = small_case();
+  c.fidelity.tolerance = 1e-30;
+  MemoryOutput output;
+  const Outcome outcome = Simulation(c).run(output);
+  EXPECT_EQ(outcome.stop, Stop::not_converged);
+  EXPECT_THAT(outcome.message, HasSubstr("at kt = 0: the multigrid cycles did not converge"));
+}
+
+nlohmann::ordered_json result_of(const Case& c) {
+  MemoryOutput output;
+  Simulation simulation(c);
+  const Outcome outcome = simulation.run(output);
+  return result_json(c, simulation, outcome, 1.25);
+}
+
+TEST(Result, NamesTheModelsThatRanAndWhatWasLeftOut) {
+  const auto plain = result_of(small_case());
+  EXPECT_EQ(plain["stop"], "reached_end");
+  EXPECT_EQ(plain["trust"]["fluid"], "quasisteady");
+  EXPECT_EQ(plain["trust"]["bending"], "none");
+  EXPECT_EQ(plain["trust"]["left_out"].size(), 3u);
+
+  const auto full = result_of(parsed_case(R"({"Ca": 0.1, "V": 2, "E_b": 0.01, "bending": "helfrich_literal",
+    "fluid": "transient", "until": {"kt": 0.001}, "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162}})"));
+  EXPECT_EQ(full["trust"]["fluid"], "transient");
+  EXPECT_EQ(full["trust"]["bending"], "helfrich_literal");
+  EXPECT_TRUE(full["trust"]["left_out"].empty());
+}
+
+TEST(Result, HoldsTheLastRecordTheCostAndTheReasonOfAFailure) {
+  const auto result = result_of(stiff_case(1));
+  EXPECT_EQ(result["stop"], "diverged");
+  EXPECT_THAT(result["message"].get<std::string>(), StartsWith("at kt = "));
+  EXPECT_EQ(result["motion"], "undecided");
+  EXPECT_TRUE(result["final"].contains("D_xy"));
+  EXPECT_EQ(result["cost"]["seconds"], 1.25);
+}
+
+TEST(Result, WarnsOfAQuasisteadyFlowAtAReynoldsNumberThatIsNotSmall) {
+  Case c = small_case();
+  EXPECT_TRUE(result_of(c)["trust"]["warnings"].empty());
+  c.Re = 0.2;
+  EXPECT_THAT(result_of(c)["trust"]["warnings"][0].get<std::string>(), HasSubstr("quasi-steady"));
+}
+
+}  // namespace
+}  // namespace capstan
