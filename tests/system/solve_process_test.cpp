@@ -1,0 +1,118 @@
+// The real solver, killed at any moment: what it leaves behind is enough for the same answer.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/support/file_bytes.hpp"
+#include "tests/support/solve_process.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace capstan {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class SolveTest : public testing::Test {
+ protected:
+  fs::path write_case(const std::string& text) {
+    overwrite(root_.path() / "case.json", text);
+    return root_.path() / "case.json";
+  }
+
+  /// A red blood cell with every part of the physics, some seconds of work.
+  fs::path cell() {
+    return write_case(R"({"shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4,
+      "fidelity": {"preset": "fast", "dx": 0.4, "nodes": 162}, "until": {"kt": 10},
+      "outputs": {"checkpoint_every": 3, "history_every": 0.2}})");
+  }
+
+  fs::path directory(const std::string& name) const { return root_.path() / name; }
+
+  /// Runs until it ends by itself: the exit code.
+  int solve(const fs::path& case_file, const std::string& name) {
+    return SolveProcess(case_file, directory(name)).wait();
+  }
+
+  std::string history(const std::string& name) const { return file_bytes(directory(name) / "history.jsonl"); }
+  nlohmann::json result(const std::string& name) const {
+    return nlohmann::json::parse(file_bytes(directory(name) / "result.json"));
+  }
+  std::string log(const std::string& name) const { return file_bytes(directory(name + ".log")); }
+
+  /// The whole answer, but for what it took this time.
+  void expect_same_answer(const std::string& name, const std::string& other) const {
+    EXPECT_EQ(history(name), history(other));
+    nlohmann::json a = result(name), b = result(other);
+    for (const char* cost : {"seconds", "peak_memory_mb"}) a["cost"].erase(cost), b["cost"].erase(cost);
+    EXPECT_EQ(a, b);
+    EXPECT_EQ(file_bytes(directory(name) / "shapes.xdmf2"), file_bytes(directory(other) / "shapes.xdmf2"));
+  }
+
+ private:
+  TemporaryDirectory root_;
+};
+
+// An undisturbed run makes about 1200 writes to its directory, so the kills fall all over it; their number is
+// bounded, so the run ends even where a kill leaves no progress.
+TEST_F(SolveTest, KilledAgainAndAgainItGivesTheSameHistoryAndResult) {
+  const fs::path case_file = cell();
+  ASSERT_EQ(solve(case_file, "undisturbed"), 0);
+  std::mt19937 generator(20240613);
+  std::uniform_int_distribution<int> writes(1, 200);
+  int kills = 0;
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    SolveProcess process(case_file, directory("killed"));
+    process.wait_for_writes(writes(generator));
+    process.send(SIGKILL);
+    kills += process.wait() == -SIGKILL;
+  }
+  EXPECT_GE(kills, 8);
+  EXPECT_EQ(solve(case_file, "killed"), 0);
+  EXPECT_THAT(log("killed"), HasSubstr("resumed at step"));
+  expect_same_answer("killed", "undisturbed");
+}
+
+TEST_F(SolveTest, TerminatedItExitsWith75AndGoesOnWhereItStood) {
+  const fs::path case_file = cell();
+  ASSERT_EQ(solve(case_file, "undisturbed"), 0);
+  for (int signal : {SIGTERM, SIGUSR1}) {
+    SolveProcess process(case_file, directory("terminated"));
+    process.wait_for_writes(40);
+    process.send(signal);
+    EXPECT_EQ(process.wait(), 75);
+    EXPECT_FALSE(fs::exists(directory("terminated") / "result.json"));
+  }
+  EXPECT_EQ(solve(case_file, "terminated"), 0);
+  expect_same_answer("terminated", "undisturbed");
+}
+
+TEST_F(SolveTest, InvalidCaseExitsWithTwoAndSaysAllFaults) {
+  const fs::path case_file = write_case(R"({"shape": "cube", "Ca": -1, "V": "thick", "colour": "red"})");
+  EXPECT_EQ(solve(case_file, "invalid"), 2);
+  for (const char* fault : {"/shape: ", "/Ca: ", "/V: ", "/colour: "})
+    EXPECT_THAT(log("invalid"), HasSubstr(fault));
+  EXPECT_FALSE(fs::exists(directory("invalid") / "result.json"));
+}
+
+TEST_F(SolveTest, DirectoryOfAnotherCaseIsRefused) {
+  const std::string start = R"({"fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162}, "until": {"kt": 0.1}, )";
+  EXPECT_EQ(solve(write_case(start + R"("Ca": 0.1})"), "taken"), 0);
+  EXPECT_EQ(solve(write_case(start + R"("Ca": 0.2})"), "taken"), 2);
+  EXPECT_THAT(log("taken"), HasSubstr("another case"));
+}
+
+TEST_F(SolveTest, DivergingCaseExitsWithThreeAndItsResultSaysWhatAndWhen) {
+  const fs::path case_file = write_case(R"({"shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.05,
+    "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.5}, "until": {"kt": 20}})");
+  EXPECT_EQ(solve(case_file, "diverging"), 3);
+  EXPECT_EQ(result("diverging")["stop"], "diverged");
+  EXPECT_THAT(result("diverging")["message"].get<std::string>(), HasSubstr("at kt = "));
+  EXPECT_FALSE(history("diverging").empty());
+}
+
+}  // namespace
+}  // namespace capstan
