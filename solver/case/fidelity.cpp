@@ -1,6 +1,7 @@
 #include "solver/case/fidelity.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace capstan {
 
@@ -28,7 +29,8 @@ double default_kdt(const Fidelity& fidelity, double Ca, double C) {
   if (fidelity.scheme == Scheme::paper) return std::min(0.4 * Ca, 0.02);  // eq. 43
   const double dx = fidelity.dx;
   const double area_stiffness = std::max(1.0, (1 + 2 * C) / 11);
-  return std::min({0.4 * dx, 4 * dx * dx, 2 * Ca * dx / area_stiffness});
+  const double kdt = std::min({0.4 * dx, 4 * dx * dx, 2 * Ca * dx / area_stiffness});
+  return std::round(kdt * 1e9) / 1e9;  // 0.08, not 0.08000000000000002
 }
 
 std::optional<int> icosphere_subdivisions(int nodes) {
