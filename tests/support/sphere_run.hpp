@@ -1,0 +1,18 @@
+#pragma once
+// Runs of the neo-Hookean sphere, V = 1, E_b = 0.
+#include <sstream>
+#include <string>
+
+#include "tests/support/history_of.hpp"
+
+namespace capstan::testing {
+
+/// \param fidelity  JSON: a preset's name in quotes, or an object
+inline History sphere_run(double Ca, const std::string& fidelity, double kt) {
+  std::ostringstream text;
+  text << R"({"Ca": )" << Ca << R"(, "fidelity": )" << fidelity << R"(, "until": {"kt": )" << kt
+       << R"(}, "outputs": {"shapes_every": 0}})";
+  return history_of(text.str());
+}
+
+}  // namespace capstan::testing
