@@ -1,52 +1,54 @@
 #!/bin/sh
 # Builds Capstan, starts its server, computes a small study and shows which capsules tumble and which tank-tread.
 #   sh runner/quickstart.sh [DATA_DIRECTORY]
-# The server keeps running; a server that already runs is used.
+# The server keeps running; one that already serves the data directory is used.
 set -eu
 cd "$(dirname "$0")/.."
-data=${1:-capstan-data}
+mkdir -p "${1:-capstan-data}"
+data=$(cd "${1:-capstan-data}" && pwd -P)
 capstan=build/release/capstan
 study=studies/quickstart/study.json
 
 build() {
   sh runner/install_packages.sh
-  cmake --preset release >build.log 2>&1 && cmake --build --preset release >>build.log 2>&1 && rm build.log && return
-  tail -n 40 build.log >&2
-  echo "The build failed; build.log has all of it." >&2
+  mkdir -p build
+  log=build/quickstart.log
+  cmake --preset release >$log 2>&1 && cmake --build --preset release >>$log 2>&1 && return
+  tail -n 40 $log >&2
+  echo "The build failed; $log has all of it." >&2
   exit 1
 }
 
-# What answers at the port: "capstan", "other", or "nothing".
+# What answers at the port: "ours", a server of the data directory; "other"; or "nothing".
 listener_at() {
   code=0
-  answer=$(curl -sS --max-time 3 "http://127.0.0.1:$1/healthz" 2>/dev/null) || code=$?
+  answer=$(curl -s --max-time 3 "http://127.0.0.1:$1/healthz") || code=$?
   case "$code,$answer" in
     7,*) echo nothing ;; # connection refused
-    *'"program": "capstan"'*) echo capstan ;;
+    *'"program": "capstan"'*"\"data\": \"$data\""*) echo ours ;;
     *) echo other ;;
   esac
 }
 
 start_server() {
-  mkdir -p "$data"
   nohup "$capstan" serve --data "$data" --listen "127.0.0.1:$port" >>"$data/server.log" 2>&1 &
   pid=$!
-  until [ "$(listener_at "$port")" = capstan ]; do
+  until [ "$(listener_at "$port")" = ours ]; do
     if ! kill -0 "$pid" 2>/dev/null; then
       tail -n 5 "$data/server.log" >&2
       exit 1
     fi
     sleep 0.1
   done
-  echo "Started the server, data in $data"
+  echo "Started the server at port $port, data in $data"
 }
 
-# The first port from 8017 on where Capstan answers, or where it can be started.
+# The first port from 8017 on where our server answers, or where it can be started.
 find_or_start_server() {
   port=8017
   while :; do
     case "$(listener_at "$port")" in
-      capstan) echo "Using the server that runs at port $port" && return ;;
+      ours) echo "Using the server that runs at port $port" && return ;;
       nothing) start_server && return ;;
     esac
     port=$((port + 1))

@@ -32,6 +32,8 @@ class Service {
   bool cancel(const std::string& study_id);  ///< false if there is no such study
   Database reader() const;                   ///< sees one moment, as long as it lives
 
+  const DataDirectory& data() const { return data_; }
+
   /// Called after a change that the loop should look at soon.
   void on_change(std::function<void()> callback) { changed_ = std::move(callback); }
 
