@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "runner/cli/axis_text.hpp"
 #include "runner/cli/client.hpp"
 #include "runner/cli/commands.hpp"
 #include "runner/cli/progress.hpp"
@@ -40,11 +41,8 @@ int print_study(const StudyArguments& arguments) {
   std::cout << study["id"].get<std::string>() << "  " << study["description"].get<std::string>() << '\n'
             << "submitted " << study["submitted_at"].get<std::string>()
             << (study["cancelled"] ? ", cancelled\n" : "\n") << progress_text(study) << '\n';
-  for (const ordered_json& axis : study["axes"]) {
-    std::cout << axis["parameter"].get<std::string>() << ':';
-    for (const ordered_json& value : axis["values"]) std::cout << ' ' << plain(value);
-    std::cout << '\n';
-  }
+  for (const ordered_json& axis : study["axes"])
+    std::cout << axis_text(axis["parameter"], axis["values"]) << '\n';
   for (const auto& [motion, count] : study["motions"].items())
     if (count > 0) std::cout << motion << ": " << count << '\n';
   return kExitDone;
