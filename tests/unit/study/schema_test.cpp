@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -117,6 +118,16 @@ TEST(Schema, StudyHasTheKeysOfTheCode) {
   EXPECT_EQ(keys(study["properties"]["base"]["properties"]), case_keys());
   const auto& axes = axis_parameters();
   EXPECT_EQ(keys(study["properties"]["axes"]["properties"]), std::set<std::string>(axes.begin(), axes.end()));
+}
+
+TEST(Schema, EveryStudyOfTheRepositoryIsValid) {
+  for (const auto& folder :
+       std::filesystem::directory_iterator(std::string(CAPSTAN_SOURCE_DIR) + "/studies")) {
+    const std::filesystem::path file = folder.path() / "study.json";
+    if (!std::filesystem::exists(file)) continue;
+    const ParsedStudy parsed = parse_study(json::parse(std::ifstream(file)));
+    EXPECT_TRUE(parsed.value) << file;
+  }
 }
 
 TEST(Schema, RangeHasTheKeysOfTheCode) {
