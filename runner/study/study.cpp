@@ -36,7 +36,7 @@ class StudyReader {
     study.description = read_description();
     study.axes = read_axes();
     refuse_unknown_keys();
-    if (const json* base = read_base(study.axes)) study.cases = expand(*base, study.axes);
+    if (const json* base = read_base()) study.cases = expand(*base, study.axes);
     return study;
   }
 
@@ -98,15 +98,17 @@ class StudyReader {
     }
   }
 
-  const json* read_base(const std::vector<Axis>& axes) {
+  const json* read_base() {
     const auto base = document_.find("base");
     if (base == document_.end())
       fault("/base", "is missing: the case that the axes vary");
     else if (!base->is_object())
       fault("/base", std::string("must be an object, is ") + base->type_name());
     if (faulty_.contains("/base")) return nullptr;
-    for (const Axis& axis : axes)
-      if (base->contains(axis.parameter())) fault("/base/" + axis.parameter(), "is an axis, too");
+    const auto axes = document_.find("axes");  // as they stand there: a faulty axis is one, too
+    if (axes != document_.end() && axes->is_object())
+      for (const auto& [parameter, values] : axes->items())
+        if (base->contains(parameter)) fault(pointer_to("/base", parameter), "is an axis, too");
     return &*base;
   }
 

@@ -84,6 +84,13 @@ TEST(Study, FaultOfABaseKeyIsReportedOnceWhateverTheNumberOfCases) {
   EXPECT_THAT(faults_of(document), ElementsAre("/base/C"));
 }
 
+TEST(Study, AKeyOfTheBaseThatIsAnAxisIsAFaultEvenIfTheAxisIsFaultyItself) {
+  json document = red_cell_grid();
+  document["base"]["V"] = 4;
+  document["axes"]["V"] = {{"from", 0}, {"to", 1}, {"count", 3}, {"scale", "log"}};
+  EXPECT_THAT(faults_of(document), UnorderedElementsAre("/axes/V/from", "/base/V"));
+}
+
 TEST(Study, FaultOfAnAxisValueStandsAtThatValue) {
   json document = red_cell_grid();
   document["axes"]["Ca"] = {0.25, -1, nullptr, "a lot"};
