@@ -10,24 +10,27 @@ nlohmann::ordered_json to_json(const Case& c) {
   if (c.law == Law::skalak) j["C"] = c.C;
   j["Ca"] = c.Ca;
   j["V"] = c.V;
-  j["Re"] = c.Re;
+  if (c.has_grid()) j["Re"] = c.Re;
   j["E_b"] = c.E_b;
   if (c.has_bending()) {
     j["bending"] = word(c.bending);
     if (const double* number = std::get_if<double>(&c.c0)) j["c0"] = *number;
-    else j["c0"] = "initial";
+    else j["c0"] = std::holds_alternative<UniformCurvature>(c.c0) ? "uniform" : "initial";
   }
   j["fluid"] = word(c.fluid);
   j["until"] = {{"kt", c.until.kt}, {"classified", c.until.classified}};
   nlohmann::ordered_json& f = j["fidelity"];
-  f["dx"] = c.fidelity.dx;
-  f["box"] = c.fidelity.box;
-  f["nodes"] = c.fidelity.nodes;
-  if (c.fluid == Fluid::quasisteady) {
-    f["kdt"] = c.fidelity.kdt;
-    f["tolerance"] = c.fidelity.tolerance;
-    f["scheme"] = word(c.fidelity.scheme);
+  if (c.has_grid()) {
+    f["dx"] = c.fidelity.dx;
+    f["box"] = c.fidelity.box;
   }
+  f["nodes"] = c.fidelity.nodes;
+  if (c.fluid != Fluid::transient) {
+    f["stepper"] = word(c.fidelity.stepper);
+    if (c.fidelity.stepper == Stepper::adams_bashforth) f["kdt"] = c.fidelity.kdt;
+    f["tolerance"] = c.fidelity.tolerance;
+  }
+  if (c.fluid == Fluid::quasisteady) f["scheme"] = word(c.fidelity.scheme);
   j["outputs"] = {{"history_every", c.outputs.history_every},
                   {"shapes_every", c.outputs.shapes_every},
                   {"checkpoint_every", c.outputs.checkpoint_every}};
@@ -50,6 +53,13 @@ std::string_view word(BendingModel model) {
   return model == BendingModel::variational ? "variational" : "helfrich_literal";
 }
 
-std::string_view word(Fluid fluid) { return fluid == Fluid::quasisteady ? "quasisteady" : "transient"; }
+std::string_view word(Fluid fluid) {
+  switch (fluid) {
+    case Fluid::quasisteady: return "quasisteady";
+    case Fluid::transient: return "transient";
+    case Fluid::stokes: break;
+  }
+  return "stokes";
+}
 
 }  // namespace capstan

@@ -19,14 +19,18 @@ enum class BendingModel {
 enum class Fluid {
   quasisteady,  ///< steady lattice Boltzmann flow at every step, by multigrid (the paper's method)
   transient,    ///< the standard lattice Boltzmann method in time (the paper's baseline)
+  stokes,       ///< boundary integrals: no inertia, no walls, no grid
 };
 
 /// Spontaneous curvature c0 in units 1/a: a number, or `initial`: c0 = -2 H0 vertex by vertex, so that the
-/// initial shape is free of bending (paper, section VII D).
+/// initial shape is free of bending (paper, section VII D), or `uniform`: the mean of that over the membrane.
 struct InitialCurvature {
   bool operator==(const InitialCurvature&) const = default;
 };
-using SpontaneousCurvature = std::variant<InitialCurvature, double>;
+struct UniformCurvature {
+  bool operator==(const UniformCurvature&) const = default;
+};
+using SpontaneousCurvature = std::variant<InitialCurvature, UniformCurvature, double>;
 
 /// When a run ends: at shear time `kt`, or earlier when its class is certain, if that is wanted.
 struct Until {
@@ -50,7 +54,7 @@ struct Case {
   double C = 0;    ///< Skalak's resistance to area dilation (eq. 28)
   double Ca = 0;   ///< mu_a a k / E_s (eq. 1); E_s = 3 G neo-Hookean, E_s = 2 G Skalak
   double V = 1;    ///< inner over outer viscosity (eq. 3)
-  double Re = 0;   ///< rho k a^2 / mu_a (eq. 4)
+  double Re = 0;   ///< rho k a^2 / mu_a (eq. 4); 0 for fluid stokes
   double E_b = 0;  ///< E_B / (a^2 E_s) (eq. 2)
   BendingModel bending = BendingModel::variational;
   SpontaneousCurvature c0 = InitialCurvature{};
@@ -61,6 +65,7 @@ struct Case {
 
   bool has_bending() const { return E_b > 0; }
   bool has_viscosity_contrast() const { return V != 1; }
+  bool has_grid() const { return fluid != Fluid::stokes; }
   bool operator==(const Case&) const = default;
 };
 

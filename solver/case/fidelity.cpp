@@ -33,6 +33,12 @@ double default_kdt(const Fidelity& fidelity, double Ca, double C) {
   return std::round(kdt * 1e9) / 1e9;  // 0.08, not 0.08000000000000002
 }
 
+// The stiffest mode, bending's, decays at about 30 / Ca with 642 nodes and as the node count to the power 3/2.
+double default_stokes_kdt(int nodes, double Ca) {
+  const double kdt = std::min(0.02, 0.02 * Ca * std::pow(642. / nodes, 1.5));
+  return std::round(kdt * 1e9) / 1e9;
+}
+
 std::optional<int> icosphere_subdivisions(int nodes) {
   for (int n = 0, faces = 20; n <= 6; ++n, faces *= 4)
     if (nodes == faces / 2 + 2) return n;
@@ -40,5 +46,7 @@ std::optional<int> icosphere_subdivisions(int nodes) {
 }
 
 std::string_view word(Scheme scheme) { return scheme == Scheme::tuned ? "tuned" : "paper"; }
+
+std::string_view word(Stepper stepper) { return stepper == Stepper::adams_bashforth ? "ab2" : "rkc2"; }
 
 }  // namespace capstan

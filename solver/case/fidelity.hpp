@@ -14,11 +14,18 @@ enum class Scheme {
   paper,  ///< lattice viscosity 0.04, rates 1.8, gamma 0.8, stops on the change of velocity (eq. 26)
 };
 
+/// How the membrane moves with the flow.
+enum class Stepper {
+  adams_bashforth,        ///< "ab2": second order, equal steps, one flow a step (paper eq. 38)
+  runge_kutta_chebyshev,  ///< "rkc2": second order, steps after their error, as many flows as stability asks for
+};
+
 struct Fidelity {
   double dx = 0.1;          ///< lattice spacing / a
   double box = 12.8;        ///< edge of the cubic domain / a
   int nodes = 2562;         ///< membrane vertices: 10 * 4^n + 2
-  double kdt = 0.02;        ///< time step k*dt of the membrane
+  Stepper stepper = Stepper::adams_bashforth;
+  double kdt = 0.02;        ///< time step k*dt of the membrane; 0 where the stepper chooses
   double tolerance = 1e-4;  ///< relative error of the membrane velocity (scheme tuned) or eq. 26 (paper)
   Scheme scheme = Scheme::tuned;
   bool operator==(const Fidelity&) const = default;
@@ -33,13 +40,17 @@ struct FidelityPreset {
 const std::vector<FidelityPreset>& fidelity_presets();
 const FidelityPreset* find_preset(std::string_view name);
 
-/// Largest time step that was found both stable and accurate for AB2 (see the comment in fidelity.cpp).
+/// Largest time step that was found both stable and accurate for AB2 on a lattice (see the comment in fidelity.cpp).
 /// \param Ca capillary number  \param C Skalak's constant, 0 for neo-Hookean
 double default_kdt(const Fidelity& fidelity, double Ca, double C);
+
+/// The same for boundary integrals: no grid filters the membrane's stiffest modes, which grow with the mesh.
+double default_stokes_kdt(int nodes, double Ca);
 
 /// Vertex counts of the subdivided icosahedron: 12, 42, 162, 642, 2562, 10242, 40962.
 std::optional<int> icosphere_subdivisions(int nodes);
 
 std::string_view word(Scheme scheme);
+std::string_view word(Stepper stepper);
 
 }  // namespace capstan

@@ -68,9 +68,9 @@ class ObjectReader {
     value = found->get<bool>();
   }
 
-  /// One of the words of an enumeration.
+  /// One of the words of an enumeration. `also` is a word that the caller deals with itself.
   template <class Enum, size_t N>
-  void choice(const char* key, Enum& value, const std::array<Enum, N>& choices) {
+  void choice(const char* key, Enum& value, const std::array<Enum, N>& choices, std::string_view also = {}) {
     const json* found = take(key);
     if (!found) return;
     std::string words;
@@ -81,6 +81,7 @@ class ObjectReader {
       }
       words += (words.empty() ? "" : ", ") + std::string(word(option));
     }
+    if (!also.empty()) words += ", " + std::string(also);
     fault(key, "must be one of: " + words + "; is " + found->dump(-1, ' ', false, json::error_handler_t::replace));
   }
 
@@ -152,18 +153,36 @@ void read_membrane(ObjectReader& reader, Case& c) {
     double number = 0;
     reader.number("c0", number, {-100, 100});
     c.c0 = number;
+  } else if (c0 && *c0 == "uniform") {
+    c.c0 = UniformCurvature{};
   } else if (c0 && *c0 != "initial") {
-    reader.fault("c0", "must be a number (in units of 1/a) or \"initial\"");
+    reader.fault("c0", "must be a number (in units of 1/a), \"initial\" or \"uniform\"");
   }
+}
+
+constexpr double kLargestStokesRe = 0.1;
+
+/// A box is asked for by its size; without that word it is only the lattice's way to have no walls near.
+bool asks_for_walls(ObjectReader& reader) {
+  const json* fidelity = reader.take("fidelity");
+  return fidelity && fidelity->is_object() && fidelity->contains("box");
 }
 
 void read_flow(ObjectReader& reader, Case& c) {
   reader.number("V", c.V, {0.01, 100});
+  const json* fluid = reader.take("fluid");
+  const bool automatic = fluid && *fluid == "auto", stokes = fluid && *fluid == "stokes";
   c.Re = 0.05;
-  reader.number("Re", c.Re, {0, 10, true});
+  reader.number("Re", c.Re, {0, 10, !automatic && !stokes});
   // The quasi-steady flow has no memory: from Re = 0.1 on it deviates (paper, fig. 10), so there it must be asked for.
   c.fluid = c.Re >= 0.1 ? Fluid::transient : Fluid::quasisteady;
-  reader.choice("fluid", c.fluid, std::array{Fluid::quasisteady, Fluid::transient});
+  if (!automatic) reader.choice("fluid", c.fluid, std::array{Fluid::quasisteady, Fluid::transient, Fluid::stokes}, "auto");
+  else if (c.Re <= kLargestStokesRe && !asks_for_walls(reader)) c.fluid = Fluid::stokes;
+  if (c.has_grid() && c.Re == 0) reader.fault("Re", "is 0, which a lattice in a box cannot have; leave the box out, or give Re > 0");
+  if (c.has_grid()) return;
+  if (c.Re > kLargestStokesRe)
+    reader.fault("Re", "is " + shown(c.Re) + ", but the fluid \"stokes\" has no inertia: at most 0.1, or another fluid");
+  c.Re = 0;
 }
 
 void read_until(ObjectReader& reader, Until& until) {
@@ -183,11 +202,20 @@ void read_outputs(ObjectReader& reader, Outputs& outputs) {
   inner->finish();
 }
 
+/// Of a preset boundary integrals take the mesh alone.
+Fidelity preset_for(const Case& c, const FidelityPreset& preset) {
+  if (c.has_grid()) return preset.knobs;
+  Fidelity fidelity;
+  fidelity.nodes = preset.knobs.nodes;
+  fidelity.stepper = Stepper::runge_kutta_chebyshev;
+  return fidelity;
+}
+
 /// The preset's knobs, if `name` is one.
-void start_from_preset(ObjectReader& reader, const char* key, const json& name, Fidelity& fidelity) {
+void start_from_preset(ObjectReader& reader, const char* key, const json& name, const Case& c, Fidelity& fidelity) {
   if (name.is_string())
     if (const FidelityPreset* preset = find_preset(name.get_ref<const std::string&>())) {
-      fidelity = preset->knobs;
+      fidelity = preset_for(c, *preset);
       return;
     }
   std::string names;
@@ -196,40 +224,52 @@ void start_from_preset(ObjectReader& reader, const char* key, const json& name, 
 }
 
 void read_knobs(ObjectReader& knobs, const Case& c, Fidelity& fidelity) {
-  if (const json* name = knobs.take("preset")) start_from_preset(knobs, "preset", *name, fidelity);
+  if (const json* name = knobs.take("preset")) start_from_preset(knobs, "preset", *name, c, fidelity);
   knobs.number("dx", fidelity.dx, {0.02, 0.5});
   knobs.number("box", fidelity.box, {4, 100});
   knobs.integer("nodes", fidelity.nodes, {12, 40962});
   if (!icosphere_subdivisions(fidelity.nodes))
     knobs.fault("nodes", "must be 12, 42, 162, 642, 2562, 10242 or 40962 (a subdivided icosahedron)");
-  const bool quasisteady = c.fluid == Fluid::quasisteady;
   knobs.choice("scheme", fidelity.scheme, std::array{Scheme::tuned, Scheme::paper});
+  knobs.choice("stepper", fidelity.stepper, std::array{Stepper::adams_bashforth, Stepper::runge_kutta_chebyshev});
   knobs.number("tolerance", fidelity.tolerance, {1e-12, 0.1});
-  for (const char* key : {"scheme", "tolerance", "kdt"})
-    knobs.without_effect(key, quasisteady, "the transient flow's time step is set by the lattice");
+  for (const char* key : {"scheme", "stepper", "tolerance", "kdt"})
+    knobs.without_effect(key, c.fluid != Fluid::transient, "the transient flow's time step is set by the lattice");
+  for (const char* key : {"dx", "box", "scheme"})
+    knobs.without_effect(key, c.has_grid(), "boundary integrals have no grid");
+  knobs.without_effect("kdt", fidelity.stepper == Stepper::adams_bashforth, "rkc2 chooses its steps by their error");
 }
 
-void read_fidelity(ObjectReader& reader, Case& c) {
-  const json* given = reader.take("fidelity");
-  Fidelity& fidelity = c.fidelity;
-  fidelity = find_preset("standard")->knobs;
-  std::optional<ObjectReader> knobs;
-  if (given && given->is_object()) {
-    knobs.emplace(*reader.nested("fidelity"));
-    read_knobs(*knobs, c, fidelity);
-  } else if (given) {
-    start_from_preset(reader, "fidelity", *given, fidelity);
-  }
-  fidelity.kdt = default_kdt(fidelity, c.Ca, c.C);
-  if (knobs) {
-    knobs->number("kdt", fidelity.kdt, {0, 1, true});
-    knobs->finish();
-  }
+double default_kdt(const Case& c) {
+  if (c.fidelity.stepper == Stepper::runge_kutta_chebyshev) return 0;
+  return c.has_grid() ? default_kdt(c.fidelity, c.Ca, c.C) : default_stokes_kdt(c.fidelity.nodes, c.Ca);
+}
+
+void check_grid(ObjectReader& reader, const Fidelity& fidelity) {
   const double cells = fidelity.box / fidelity.dx;
   if (std::abs(cells - std::round(cells)) > 1e-9 * cells || std::lround(cells) % 8 != 0)
     reader.fault("fidelity", "box/dx is " + shown(cells) + ", must be a multiple of 8 so that the grid can be coarsened");
   else if (cells > 512)
     reader.fault("fidelity", "box/dx is " + shown(cells) + ", more than the 512 cells an edge that fit into memory");
+}
+
+void read_fidelity(ObjectReader& reader, Case& c) {
+  const json* given = reader.take("fidelity");
+  Fidelity& fidelity = c.fidelity;
+  fidelity = preset_for(c, *find_preset("standard"));
+  std::optional<ObjectReader> knobs;
+  if (given && given->is_object()) {
+    knobs.emplace(*reader.nested("fidelity"));
+    read_knobs(*knobs, c, fidelity);
+  } else if (given) {
+    start_from_preset(reader, "fidelity", *given, c, fidelity);
+  }
+  fidelity.kdt = default_kdt(c);
+  if (knobs) {
+    knobs->number("kdt", fidelity.kdt, {0, 1, true});
+    knobs->finish();
+  }
+  if (c.has_grid()) check_grid(reader, fidelity);
 }
 
 }  // namespace

@@ -15,19 +15,26 @@ namespace capstan {
 // Paper, section VI: at each step the membrane's forces drive a steady flow, and the membrane moves with that
 // flow.
 Outcome Simulation::run(RunOutput& output) {
+  const VelocityField field = [this](double at, const Points& x, Points& u) { return solve_flow(at, x, u); };
   for (;;) {
-    membrane_.forces(positions_, forces_);                                         // eqs. 29, 31
-    const FlowReport flow = flow_->solve(kt(), positions_, forces_, velocities_);  // eqs. 20-25, 33-36, 40
+    const FlowReport flow = solve_flow(kt(), positions_, velocities_);
     if (auto outcome = failure(flow)) return *outcome;
     note(flow);
     if (record_is_due()) record(output);  // eqs. 5, 44
     if (auto outcome = finished()) return *outcome;
-    stepper_.advance(velocities_, time_.kdt, positions_);  // eqs. 37, 38
+    const FlowReport stages = stepper_->advance(field, kt(), kt(1), velocities_, positions_);  // eqs. 37, 38
+    if (auto outcome = failure(stages)) return *outcome;
+    note(stages);
     ++statistics_.steps;
     const bool interrupted = output.interrupted();
     if (interrupted || statistics_.steps % case_.outputs.checkpoint_every == 0) save_checkpoint(output);
     if (interrupted) return {Stop::interrupted};
   }
+}
+
+FlowReport Simulation::solve_flow(double at, const Points& positions, Points& velocities) {
+  membrane_.forces(positions, forces_);                           // eqs. 29, 31
+  return flow_->solve(at, positions, forces_, velocities);        // eqs. 20-25, 33-36, 40
 }
 
 Simulation::Simulation(const Case& c)
@@ -37,14 +44,15 @@ Simulation::Simulation(const Case& c)
       forces_(Points::Zero(3, positions_.cols())),
       velocities_(Points::Zero(3, positions_.cols())),
       membrane_(c, sphere_.mesh, positions_),
-      flow_(make_flow(c, sphere_.mesh)),
+      flow_(make_flow(c, sphere_.mesh, positions_)),
+      stepper_(make_stepper(c)),
       time_(c, flow_->imposed_time_step()),
       tracker_(positions_, sphere_.mesh.faces),
       initial_volume_(volume(positions_, faces())),
       initial_area_(area(positions_, faces())) {}
 
 TimeGrid::TimeGrid(const Case& c, std::optional<double> imposed_kdt)
-    : kdt(imposed_kdt.value_or(c.fidelity.kdt)),
+    : kdt(imposed_kdt.value_or(c.fidelity.kdt > 0 ? c.fidelity.kdt : std::min(c.outputs.history_every, c.until.kt))),
       steps(std::max(1L, std::lround(c.until.kt / kdt))),
       steps_a_record(std::max(1L, std::lround(c.outputs.history_every / kdt))) {
   const double record_kt = kdt * double(steps_a_record);
@@ -53,7 +61,9 @@ TimeGrid::TimeGrid(const Case& c, std::optional<double> imposed_kdt)
 }
 
 /// Rounded, so that a history says 0.3 and not 0.30000000000000004.
-double Simulation::kt() const { return std::round(double(statistics_.steps) * time_.kdt * 1e9) / 1e9; }
+double Simulation::kt(int steps_ahead) const {
+  return std::round(double(statistics_.steps + steps_ahead) * time_.kdt * 1e9) / 1e9;
+}
 
 std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
   const auto at_this_time = [&](const std::string& what) {
@@ -80,7 +90,7 @@ std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
 void Simulation::note(const FlowReport& flow) {
   iterations_since_record_ += flow.iterations;
   statistics_.flow_iterations += flow.iterations;
-  last_flow_error_ = flow.error;
+  if (flow.iterations > 0) last_flow_error_ = flow.error;
   statistics_.worst_flow_error = std::max(statistics_.worst_flow_error, flow.error);
 }
 
@@ -110,7 +120,7 @@ std::optional<Outcome> Simulation::finished() const {
 void Simulation::save_checkpoint(RunOutput& output) const {
   StateArchive archive;
   put_points(archive, "positions", positions_);
-  stepper_.save(archive);
+  stepper_->save(archive);
   flow_->save(archive);
   tracker_.save(archive);
   put_history(archive, history_);
@@ -122,7 +132,7 @@ void Simulation::save_checkpoint(RunOutput& output) const {
 
 void Simulation::load(const StateArchive& archive) {
   positions_ = get_points(archive, "positions");
-  stepper_.load(archive);
+  stepper_->load(archive);
   flow_->load(archive);
   tracker_.load(archive);
   history_ = get_history(archive);

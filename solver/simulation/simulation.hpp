@@ -34,7 +34,8 @@ struct RunStatistics {
   double area_drift = 0;        ///< largest |A/A(0) - 1| recorded
 };
 
-/// The steps of a run, and those after which something is recorded: the nearest to the wished intervals.
+/// The steps of a run, and those after which something is recorded: the nearest to the wished intervals. A stepper that
+/// chooses its own steps does so between two records, which count as one step here.
 struct TimeGrid {
   TimeGrid(const Case& c, std::optional<double> imposed_kdt);
   double kdt;
@@ -58,7 +59,8 @@ class Simulation {
   const RunStatistics& statistics() const { return statistics_; }
 
  private:
-  double kt() const;
+  double kt(int steps_ahead = 0) const;
+  FlowReport solve_flow(double at, const Points& positions, Points& velocities);
   std::optional<Outcome> failure(const FlowReport& flow) const;
   std::optional<Outcome> finished() const;
   void note(const FlowReport& flow);
@@ -71,7 +73,7 @@ class Simulation {
   Points positions_, forces_, velocities_;  ///< 3 x #V
   Membrane membrane_;
   std::unique_ptr<FlowModel> flow_;
-  AdamsBashforth2 stepper_;
+  std::unique_ptr<TimeStepper> stepper_;
   TimeGrid time_;
   MotionTracker tracker_;
   History history_;
@@ -81,8 +83,10 @@ class Simulation {
   RunStatistics statistics_;
 };
 
-/// The flow model a case asks for.
-std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh);
+/// The flow model a case asks for. \param initial 3 x #V, the positions at the start
+std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, const Points& initial);
+
+std::unique_ptr<TimeStepper> make_stepper(const Case& c);
 
 /// Parts of the physics that this case does without, one sentence each.
 std::vector<std::string> left_out(const Case& c);

@@ -1,18 +1,38 @@
 #pragma once
 // Moving the membrane with the fluid: dX/dt = U(X, t) (paper eq. 37).
-#include "solver/mesh/triangle_mesh.hpp"
+#include <functional>
+
+#include "solver/fluid/flow_model.hpp"
 #include "solver/state/state_archive.hpp"
 
 namespace capstan {
 
-/// Second-order Adams-Bashforth (paper eq. 38), with one Euler step to start.
-class AdamsBashforth2 {
- public:
-  /// One step of size kdt with the velocities of its start.
-  void advance(const Points& velocities, double kdt, Points& positions);
+/// Velocities of a membrane that is at `positions` at time kt: its forces, and the flow they drive.
+using VelocityField = std::function<FlowReport(double kt, const Points& positions, Points& velocities)>;
 
-  void save(StateArchive& archive) const;
-  void load(const StateArchive& archive);
+class TimeStepper {
+ public:
+  virtual ~TimeStepper() = default;
+
+  /// Moves the membrane from kt to kt_end.
+  /// \param velocities 3 x #V, of the membrane at the start   \param positions 3 x #V, in and out
+  /// \return of the flows it solved on the way; not converged when it could not get to kt_end
+  virtual FlowReport advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
+                             Points& positions) = 0;
+
+  /// Everything the next advance depends on.
+  virtual void save(StateArchive& archive) const = 0;
+  virtual void load(const StateArchive& archive) = 0;
+};
+
+/// Second-order Adams-Bashforth (paper eq. 38), with one Euler step to start. Steps must be equal; it needs no flow
+/// but the one at the start.
+class AdamsBashforth2 : public TimeStepper {
+ public:
+  FlowReport advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
+                     Points& positions) override;
+  void save(StateArchive& archive) const override;
+  void load(const StateArchive& archive) override;
 
  private:
   Points before_;  ///< velocities of the step before; empty at the start

@@ -1,0 +1,38 @@
+#include "solver/fluid/stokes/gmres.hpp"
+
+#include <vector>
+
+namespace capstan {
+
+LinearSolution solve_gmres(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply, const Eigen::VectorXd& b,
+                           double tolerance, int most_products, Eigen::VectorXd& x) {
+  const Eigen::VectorXd residual = b - apply(x);
+  const double beta = residual.norm(), wanted = tolerance * b.norm();
+  LinearSolution solution{.products = 1, .relative_error = beta / b.norm()};
+  if (!(beta > wanted)) return solution;  // solved, or not a number
+
+  std::vector<Eigen::VectorXd> basis{residual / beta};
+  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most_products + 1, most_products);
+  Eigen::VectorXd coefficients;
+  for (int k = 0; solution.products < most_products; ++k) {
+    Eigen::VectorXd next = apply(basis[k]);  // Arnoldi: A times the last vector, orthogonal to all before
+    ++solution.products;
+    for (int j = 0; j <= k; ++j) {
+      hessenberg(j, k) = basis[j].dot(next);
+      next -= hessenberg(j, k) * basis[j];
+    }
+    hessenberg(k + 1, k) = next.norm();
+
+    const auto small = hessenberg.topLeftCorner(k + 2, k + 1);
+    const Eigen::VectorXd first = beta * Eigen::VectorXd::Unit(k + 2, 0);
+    coefficients = small.householderQr().solve(first);
+    const double left = (first - small * coefficients).norm();
+    solution.relative_error = left / b.norm();
+    if (!(left > wanted) || hessenberg(k + 1, k) == 0) break;
+    basis.push_back(next / hessenberg(k + 1, k));
+  }
+  for (Eigen::Index j = 0; j < coefficients.size(); ++j) x += coefficients[j] * basis[j];
+  return solution;
+}
+
+}  // namespace capstan

@@ -1,0 +1,78 @@
+#include "solver/fluid/stokes/neighbourhood.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace capstan {
+namespace {
+
+std::vector<std::vector<Corner>> corners_around_vertices(const TriangleMesh& mesh) {
+  std::vector<std::vector<Corner>> corners(size_t(mesh.vertex_count()));
+  for (int face = 0; face < mesh.faces.cols(); ++face)
+    for (int corner : {0, 1, 2})
+      corners[mesh.faces(corner, face)].push_back(
+          {face, mesh.faces((corner + 1) % 3, face), mesh.faces((corner + 2) % 3, face)});
+  return corners;
+}
+
+/// #V, padded with zeros: the square of the longest edge at each vertex.
+std::vector<float> squared_reach(const Surface& surface) {
+  std::vector<float> reach(size_t(surface.points.padded_size()), 0.f);
+  for (const Edge& edge : surface.mesh.edges) {
+    const auto [a, b] = edge.vertices;
+    const float length = float((surface.positions.col(a) - surface.positions.col(b)).squaredNorm());
+    reach[a] = std::max(reach[a], length);
+    reach[b] = std::max(reach[b], length);
+  }
+  return reach;
+}
+
+}  // namespace
+
+Neighbourhood::Neighbourhood(const TriangleMesh& mesh, std::vector<int> targets)
+    : targets_(std::move(targets)), corners_(corners_around_vertices(mesh)), faces_(mesh.faces) {
+  for (int target : targets_) rings_.push_back(rings_around(target));
+}
+
+Rings Neighbourhood::rings_around(int target) const {
+  Rings rings{.one_ring = corners_[target], .two_ring = {}, .faces = {}, .vertices = {}};
+  std::set<int> touching, near, vertices;
+  for (const Corner& corner : rings.one_ring) {
+    touching.insert(corner.face);
+    for (const Corner& beyond : corners_[corner.next]) near.insert(beyond.face);
+  }
+  for (int face : near) {
+    if (!touching.contains(face)) rings.two_ring.push_back(face);
+    vertices.insert({faces_(0, face), faces_(1, face), faces_(2, face)});
+  }
+  rings.faces.assign(near.begin(), near.end());
+  rings.vertices.assign(vertices.begin(), vertices.end());
+  return rings;
+}
+
+std::vector<CloseFace> Neighbourhood::close_faces(const Surface& surface) const {
+  const std::vector<float> reach_squared = squared_reach(surface);
+  std::vector<CloseFace> close;
+  for (int slot = 0; slot < int(targets_.size()); ++slot) append_close_faces(surface, reach_squared, slot, close);
+  return close;
+}
+
+void Neighbourhood::append_close_faces(const Surface& surface, const std::vector<float>& reach_squared, int slot,
+                                       std::vector<CloseFace>& close) const {
+  const Vec3 x0 = surface.positions.col(targets_[slot]);
+  const auto within_reach = [&](int vertex) {
+    return (surface.positions.col(vertex) - x0).squaredNorm() < double(reach_squared[vertex]);
+  };
+  const Rings& rings = rings_[slot];
+  const auto hits_in_rings = std::ranges::count_if(rings.vertices, within_reach);
+  if (count_within_reach(surface.points, reach_squared.data(), x0.cast<float>()) <= hits_in_rings) return;
+  std::set<int> faces;
+  for (int vertex = 0; vertex < surface.positions.cols(); ++vertex) {
+    if (!within_reach(vertex) || std::ranges::binary_search(rings.vertices, vertex)) continue;
+    for (const Corner& corner : corners_[vertex])
+      if (!std::ranges::binary_search(rings.faces, corner.face)) faces.insert(corner.face);
+  }
+  for (int face : faces) close.push_back({slot, face});
+}
+
+}  // namespace capstan

@@ -1,0 +1,45 @@
+#pragma once
+// The sums over all pairs of the boundary integral method, in single precision on vector units: each reads once over
+// the sources for one target. With r = x - x0 and the kernels of Pozrikidis (1992):
+//   Stokeslet   G_ij = delta_ij / r + r_i r_j / r^3
+//   stresslet   T_ijk = -6 r_i r_j r_k / r^5
+// A source on the target itself counts for nothing. Single precision costs 1e-6 relative, below any quadrature error.
+#include <Eigen/Core>
+#include <vector>
+
+namespace capstan {
+
+/// Three numbers a point, one array a component, padded with zeros to whole vectors.
+class PointArray {
+ public:
+  static constexpr int kLanes = 16;
+
+  void clear() { size_ = 0; }
+  void push_back(const Eigen::Vector3f& v);
+  /// \param values 3 x n
+  void assign(const Eigen::Matrix3Xd& values);
+  /// Pads with zeros; to be called after the last push_back.
+  void finish();
+
+  int padded_size() const { return int(x_.size()); }
+  const float* x() const { return x_.data(); }
+  const float* y() const { return y_.data(); }
+  const float* z() const { return z_.data(); }
+
+ private:
+  void resize(int size);
+  int size_ = 0;
+  std::vector<float> x_, y_, z_;
+};
+
+/// sum_n G(x_n - x0) F_n.  \param points, strengths of equal size
+Eigen::Vector3f sum_stokeslets(const PointArray& points, const PointArray& strengths, const Eigen::Vector3f& x0);
+
+/// sum_n (u_n - u0)_i T_ijk(x_n - x0) N_k,n.  \param area_vectors N: outward normal times area
+Eigen::Vector3f sum_stresslets(const PointArray& points, const PointArray& area_vectors, const PointArray& velocities,
+                               const Eigen::Vector3f& x0, const Eigen::Vector3f& u0);
+
+/// How many points lie within their own reach of x0.  \param reach_squared one number a point, padded with zeros
+int count_within_reach(const PointArray& points, const float* reach_squared, const Eigen::Vector3f& x0);
+
+}  // namespace capstan

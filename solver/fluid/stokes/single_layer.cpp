@@ -1,0 +1,117 @@
+#include "solver/fluid/stokes/single_layer.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "solver/fluid/stokes/quadrature.hpp"
+
+namespace capstan {
+namespace {
+
+struct PointForce {
+  Eigen::Vector3f position, force;
+};
+
+/// Every quadrature rule ends as a list of point forces, so that one loop sums all of them.
+class PointForces {
+ public:
+  void clear() { positions_.clear(), forces_.clear(); }
+  void add(const PointForce& point) { positions_.push_back(point.position), forces_.push_back(point.force); }
+  void add(const Vec3& position, const Vec3& force) { add({position.cast<float>(), force.cast<float>()}); }
+
+  Vec3 velocity_at(const Vec3& x0) {
+    positions_.finish(), forces_.finish();
+    return sum_stokeslets(positions_, forces_, x0.cast<float>()).cast<double>();
+  }
+
+ private:
+  PointArray positions_, forces_;
+};
+
+class SingleLayer {
+ public:
+  SingleLayer(const Surface& surface, const Points& forces)
+      : surface_(surface), densities_(forces * surface.vertex_areas.cwiseInverse().asDiagonal()) {
+    forces_.assign(forces);
+    make_face_rules();
+  }
+
+  /// \param near scratch, kept between targets
+  Vec3 at(int target, const Rings& rings, std::span<const CloseFace> close, PointForces& near) const {
+    const Vec3 x0 = surface_.positions.col(target);
+    near.clear();
+    for (const Corner& corner : rings.one_ring) replace_by_rays(target, corner, near);
+    for (int face : rings.two_ring)
+      for (const PointForce& point : face_rules_[face]) near.add(point);
+    for (const CloseFace& here : close) replace_by_split_face(x0, here.face, near);
+    const Vec3 far = sum_stokeslets(surface_.points, forces_, x0.cast<float>()).cast<double>();
+    return (far + near.velocity_at(x0)) / (8 * std::numbers::pi);
+  }
+
+ private:
+  /// The share of a face in the vertex rule, taken back at one of its corners.
+  PointForce taken_back(int face, int vertex) const {
+    const Vec3 share = -surface_.face_areas[face] / 3 * densities_.col(vertex);
+    return {surface_.positions.col(vertex).cast<float>(), share.cast<float>()};
+  }
+
+  /// For each face: three Gauss points, and the vertex rule taken back.
+  void make_face_rules() {
+    face_rules_.resize(size_t(surface_.mesh.faces.cols()));
+    for (int face = 0; face < int(face_rules_.size()); ++face) {
+      const Eigen::Vector3i corners = surface_.mesh.faces.col(face);
+      const Eigen::Matrix3d x = surface_.positions(Eigen::all, corners), f = densities_(Eigen::all, corners);
+      for (int n = 0; n < kGaussPoints; ++n) {
+        const TrianglePoint point = gauss_point(n);
+        const Vec3 force = point.weight * surface_.face_areas[face] * (f * point.barycentric);
+        face_rules_[face][n] = {(x * point.barycentric).cast<float>(), force.cast<float>()};
+        face_rules_[face][kGaussPoints + n] = taken_back(face, corners[n]);
+      }
+    }
+  }
+
+  // On a face (x0, a, b) of area A let x = x0 + rho e(s), e(s) the vector from x0 to the point s of the opposite edge.
+  // G(rho e) = G(e)/rho cancels the rho of dA = 2 A rho drho ds, and with f linear along the ray
+  //   int G f dA = A int_0^1 G(e(s)) [f(x0) + f(x0 + e(s))] ds,
+  // which is a sum of point forces on the opposite edge.
+  void replace_by_rays(int target, const Corner& corner, PointForces& near) const {
+    const Vec3 a = surface_.positions.col(corner.next), b = surface_.positions.col(corner.last);
+    const Vec3 f0 = densities_.col(target), fa = densities_.col(corner.next), fb = densities_.col(corner.last);
+    for (const EdgePoint& point : kEdgeRule)
+      near.add(a + point.s * (b - a), point.weight * surface_.face_areas[corner.face] * (f0 + fa + point.s * (fb - fa)));
+    near.add(taken_back(corner.face, corner.next));
+    near.add(taken_back(corner.face, corner.last));
+  }
+
+  void replace_by_split_face(const Vec3& x0, int face, PointForces& near) const {
+    const Eigen::Vector3i corners = surface_.mesh.faces.col(face);
+    const Eigen::Matrix3d x = surface_.positions(Eigen::all, corners), f = densities_(Eigen::all, corners);
+    for (const TrianglePoint& point : refined_rule(x, x0))
+      near.add(x * point.barycentric, point.weight * surface_.face_areas[face] * (f * point.barycentric));
+    for (int vertex : corners) near.add(taken_back(face, vertex));
+  }
+
+  const Surface& surface_;
+  Points densities_;   ///< 3 x #V: f, force per area
+  PointArray forces_;  ///< the vertex rule
+  std::vector<std::array<PointForce, 2 * kGaussPoints>> face_rules_;
+};
+
+}  // namespace
+
+Points single_layer(const Surface& surface, const Neighbourhood& neighbourhood, const std::vector<CloseFace>& close,
+                    const Points& forces) {
+  const SingleLayer layer(surface, forces);
+  const std::vector<int>& targets = neighbourhood.targets();
+  Points velocities(3, targets.size());
+#pragma omp parallel
+  {
+    PointForces near;
+#pragma omp for schedule(dynamic, 16)
+    for (int slot = 0; slot < int(targets.size()); ++slot)
+      velocities.col(slot) = layer.at(targets[slot], neighbourhood.rings()[slot], close_to(close, slot), near);
+  }
+  return velocities;
+}
+
+}  // namespace capstan

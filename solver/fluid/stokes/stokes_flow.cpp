@@ -1,0 +1,81 @@
+#include "solver/fluid/stokes/stokes_flow.hpp"
+
+#include <cmath>
+
+#include "solver/fluid/stokes/double_layer.hpp"
+#include "solver/fluid/stokes/gmres.hpp"
+#include "solver/fluid/stokes/single_layer.hpp"
+#include "solver/mesh/geometry.hpp"
+#include "solver/state/points_archive.hpp"
+
+namespace capstan {
+namespace {
+
+constexpr int kMostProducts = 150;
+
+Points shear_flow(const Points& positions) {
+  Points velocities = Points::Zero(3, positions.cols());
+  velocities.row(0) = positions.row(1);
+  return velocities;
+}
+
+double flux(const Points& vectors, const Surface& surface) {
+  return vectors.cwiseProduct(surface.vertex_area_vectors).sum();
+}
+
+/// A pressure drives no flow, but a discrete one would: forces along N are taken out as far as they are one pressure.
+Points without_pressure(const Points& forces, const Surface& surface) {
+  const Points& area_vectors = surface.vertex_area_vectors;
+  return forces - flux(forces, surface) / area_vectors.squaredNorm() * area_vectors;
+}
+
+}  // namespace
+
+StokesFlow::StokesFlow(const TriangleMesh& mesh, Orbits orbits, const Options& options)
+    : mesh_(mesh), orbits_(std::move(orbits)), neighbourhood_(mesh_, orbits_.representatives()), options_(options) {}
+
+FlowReport StokesFlow::solve(double, const Points& positions, const Points& forces, Points& velocities) {
+  if (!positions.allFinite() || !forces.allFinite()) return lost_flow("the membrane's forces are not finite");
+  const Surface surface(mesh_, positions);
+  const std::vector<CloseFace> close = neighbourhood_.close_faces(surface);
+  const Points driven = orbits_.restrict(shear_flow(positions)) +
+                        single_layer(surface, neighbourhood_, close, without_pressure(forces, surface));
+  const FlowReport report = solve_for_contrast(surface, close, driven);
+
+  const Points normals = surface.vertex_area_vectors.colwise().normalized();
+  const double drift = volume(positions, mesh_.faces) - options_.volume;
+  const double outflow = flux(orbits_.extend(last_), surface) + 2 * drift;
+  velocities = orbits_.extend(last_ - outflow / flux(normals, surface) * orbits_.restrict(normals));
+  if (!velocities.allFinite()) return lost_flow("the flow is not finite");
+  return report;
+}
+
+/// Solves u - (1 - V) K u = u_driven into `last_`, at the representatives.
+FlowReport StokesFlow::solve_for_contrast(const Surface& surface, const std::vector<CloseFace>& close,
+                                          const Points& driven) {
+  if (options_.viscosity_ratio == 1) {
+    last_ = driven;
+    return {.iterations = 1};
+  }
+  if (last_.size() == 0) last_ = driven;
+  const DoubleLayer double_layer(surface, neighbourhood_, close);
+  const auto apply = [&](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+    const Points all = orbits_.extend(u.reshaped(3, u.size() / 3));
+    return u - (1 - options_.viscosity_ratio) * double_layer.apply(all).reshaped();
+  };
+  Eigen::VectorXd u = last_.reshaped();
+  const LinearSolution solution = solve_gmres(apply, driven.reshaped(), options_.tolerance, kMostProducts, u);
+  last_ = u.reshaped(3, u.size() / 3);
+  FlowReport report{.iterations = solution.products, .error = solution.relative_error};
+  if (!(solution.relative_error <= options_.tolerance)) {
+    report.converged = false;
+    report.fault = "the boundary integral equation did not converge";
+  }
+  return report;
+}
+
+void StokesFlow::save(StateArchive& archive) const { put_points(archive, "fluid/last", last_); }
+
+void StokesFlow::load(const StateArchive& archive) { last_ = get_points(archive, "fluid/last"); }
+
+}  // namespace capstan

@@ -1,0 +1,22 @@
+#include "solver/fluid/stokes/surface.hpp"
+
+#include "solver/mesh/geometry.hpp"
+
+namespace capstan {
+
+Surface::Surface(const TriangleMesh& mesh_, const Points& positions_)
+    : mesh(mesh_),
+      positions(positions_),
+      face_area_vectors(capstan::face_area_vectors(positions_, mesh_.faces)),
+      face_areas(face_area_vectors.colwise().norm()),
+      vertex_area_vectors(Points::Zero(3, positions_.cols())),
+      vertex_areas(Scalars::Zero(positions_.cols())) {
+  for (Eigen::Index face = 0; face < mesh.faces.cols(); ++face)
+    for (int vertex : mesh.faces.col(face)) {
+      vertex_area_vectors.col(vertex) += face_area_vectors.col(face) / 3;
+      vertex_areas[vertex] += face_areas[face] / 3;
+    }
+  points.assign(positions);
+}
+
+}  // namespace capstan

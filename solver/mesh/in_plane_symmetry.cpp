@@ -1,0 +1,60 @@
+#include "solver/mesh/in_plane_symmetry.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+
+namespace capstan {
+namespace {
+
+using Key = std::array<double, 3>;
+Key key(const Vec3& x) { return {x[0], x[1], x[2]}; }
+
+/// Mirror z -> -z, half-turn about z, and both.
+const std::array<Vec3, 3> kSymmetries = {Vec3(1, 1, -1), Vec3(-1, -1, 1), Vec3(-1, -1, -1)};
+
+std::map<Key, int> vertices_by_position(const Points& positions) {
+  std::map<Key, int> vertices;
+  for (int vertex = 0; vertex < positions.cols(); ++vertex) vertices[key(positions.col(vertex))] = vertex;
+  return vertices;
+}
+
+}  // namespace
+
+Orbits Orbits::of(const Points& positions) {
+  const std::map<Key, int> vertices = vertices_by_position(positions);
+  Orbits orbits;
+  orbits.images_.assign(size_t(positions.cols()), {-1, Vec3::Ones()});
+  for (int vertex = 0; vertex < positions.cols(); ++vertex) {
+    if (orbits.images_[vertex].slot >= 0) continue;
+    const int slot = int(orbits.representatives_.size());
+    orbits.representatives_.push_back(vertex);
+    orbits.images_[vertex].slot = slot;
+    for (const Vec3& signs : kSymmetries) {
+      const auto found = vertices.find(key(signs.cwiseProduct(positions.col(vertex))));
+      if (found == vertices.end()) return without_symmetry(int(positions.cols()));
+      Image& image = orbits.images_[found->second];
+      if (image.slot < 0) image = {slot, signs};
+      else image.signs = 0.5 * (image.signs + signs);  // its own image twice: only what agrees is possible
+    }
+  }
+  return orbits;
+}
+
+Orbits Orbits::without_symmetry(int vertex_count) {
+  Orbits orbits;
+  for (int vertex = 0; vertex < vertex_count; ++vertex) {
+    orbits.representatives_.push_back(vertex);
+    orbits.images_.push_back({vertex, Vec3::Ones()});
+  }
+  return orbits;
+}
+
+Points Orbits::extend(const Points& of_representatives) const {
+  Points of_vertices(3, vertex_count());
+  for (int vertex = 0; vertex < vertex_count(); ++vertex)
+    of_vertices.col(vertex) = images_[vertex].signs.cwiseProduct(of_representatives.col(images_[vertex].slot));
+  return of_vertices;
+}
+
+}  // namespace capstan

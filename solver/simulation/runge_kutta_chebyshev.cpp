@@ -1,0 +1,154 @@
+#include "solver/simulation/runge_kutta_chebyshev.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/state/points_archive.hpp"
+
+namespace capstan {
+namespace {
+
+constexpr double kDamping = 2. / 13;          // epsilon: all stable modes are damped, by a third at the most
+constexpr double kSafety = 1.2;               // the power iteration approaches the spectral radius from below
+constexpr int kStepsAnEstimate = 15;
+constexpr int kMostStages = 200;
+constexpr double kSmallestStep = 1e-6;
+
+double rms(const Points& vectors) { return vectors.norm() / std::sqrt(double(vectors.cols())); }
+
+/// Stages that make a step stable, from  beta(s) = (s^2 - 1)(2/3)(1 - 2 epsilon / 15).
+int stages_for(double step, double spectral_radius) {
+  return std::max(2, 1 + int(std::sqrt(1 + 1.54 * step * spectral_radius)));
+}
+
+/// Chebyshev polynomial T_j and its first two derivatives at w0, by their recurrence.
+struct Chebyshev {
+  double T, dT, ddT;
+};
+Chebyshev next(double w0, const Chebyshev& now, const Chebyshev& before) {
+  return {2 * w0 * now.T - before.T, 2 * now.T + 2 * w0 * now.dT - before.dT,
+          4 * now.dT + 2 * w0 * now.ddT - before.ddT};
+}
+
+/// The coefficients of a step of s stages, in the paper's symbols.
+struct Coefficients {
+  explicit Coefficients(int s) {
+    const double w0 = 1 + kDamping / (s * s);
+    std::vector<Chebyshev> c{{1, 0, 0}, {w0, 1, 0}};
+    for (int j = 2; j <= s; ++j) c.push_back(next(w0, c[j - 1], c[j - 2]));
+    const double w1 = c[s].dT / c[s].ddT;
+    std::vector<double> b(s + 1), a(s + 1), time(s + 1);
+    for (int j = 2; j <= s; ++j) b[j] = c[j].ddT / (c[j].dT * c[j].dT);
+    b[0] = b[2], b[1] = 1 / w0;
+    for (int j = 0; j <= s; ++j) a[j] = 1 - b[j] * c[j].T;
+    for (int j = 2; j <= s; ++j) time[j] = w1 * c[j].ddT / c[j].dT;
+    time[1] = time[2] / c[2].dT;
+    first = b[1] * w1;
+    for (int j = 2; j <= s; ++j)
+      stages.push_back({.mu = 2 * b[j] * w0 / b[j - 1],
+                        .nu = -b[j] / b[j - 2],
+                        .mu_tilde = 2 * b[j] * w1 / b[j - 1],
+                        .gamma_tilde = -a[j - 1] * 2 * b[j] * w1 / b[j - 1],
+                        .time_before = time[j - 1]});
+  }
+  struct Stage {
+    double mu, nu, mu_tilde, gamma_tilde;
+    double time_before;  ///< c_(j-1), in steps
+  };
+  double first;  ///< mu_tilde_1
+  std::vector<Stage> stages;  ///< j = 2 .. s
+};
+
+}  // namespace
+
+FlowReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
+                                        Points& positions) {
+  field_ = &field;
+  report_ = {};
+  Points start_velocities = velocities;
+  if (step_ == 0) step_ = options_.largest_step / 10;
+  while (kt < kt_end - 1e-9) {
+    if (spectral_radius_ == 0 || steps_since_estimate_ >= kStepsAnEstimate)
+      estimate_spectral_radius(kt, positions, start_velocities);
+    const double longest = std::min({step_, options_.largest_step, kMostStages * kMostStages / (1.6 * spectral_radius_)});
+    const double left = kt_end - kt;
+    const double step = left / std::ceil(left / longest - 1e-9);  // equal steps to the end, not a sliver at last
+    const Trial trial = attempt(kt, step, positions, start_velocities);
+    const double factor = std::isfinite(trial.error) ? std::clamp(0.8 / std::cbrt(trial.error), 0.1, 3.) : 0.1;
+    if (trial.error <= 1) {
+      kt += step;
+      positions = trial.end;
+      start_velocities = trial.end_velocities;
+      ++steps_since_estimate_;
+      step_ = std::min(options_.largest_step, std::max(step * factor, factor >= 1 ? step_ : 0.));
+      continue;
+    }
+    step_ = step * factor;
+    spectral_radius_ = 0;  // the likely culprit
+    if (step_ < kSmallestStep) {
+      if (report_.converged) report_ = lost_flow("no time step is small enough for the membrane's motion");
+      return report_;
+    }
+  }
+  report_.converged = true;  // what was lost on the way was tried again with a smaller step
+  return report_;
+}
+
+RungeKuttaChebyshev::Trial RungeKuttaChebyshev::attempt(double kt, double step, const Points& start,
+                                                        const Points& velocities) {
+  const Coefficients coefficients(stages_for(step, spectral_radius_));
+  Trial trial;
+  Points before = start, now = start + coefficients.first * step * velocities, stage_velocities(3, start.cols());
+  for (const Coefficients::Stage& stage : coefficients.stages) {
+    if (!solve(kt + stage.time_before * step, now, stage_velocities).converged) return {.end = {}, .end_velocities = {}, .error = INFINITY};
+    Points after = (1 - stage.mu - stage.nu) * start + stage.mu * now + stage.nu * before +
+                   step * (stage.mu_tilde * stage_velocities + stage.gamma_tilde * velocities);
+    before = std::exchange(now, std::move(after));
+  }
+  trial.end = std::move(now);
+  trial.end_velocities.resize(3, start.cols());
+  if (!solve(kt + step, trial.end, trial.end_velocities).converged) trial.error = INFINITY;
+  else trial.error = rms(0.8 * (start - trial.end) + 0.4 * step * (velocities + trial.end_velocities)) / options_.tolerance;
+  return trial;
+}
+
+// Power iteration with the derivative by differences along the mode that was stiffest last time.
+void RungeKuttaChebyshev::estimate_spectral_radius(double kt, const Points& positions, const Points& velocities) {
+  constexpr double kDisplacement = 1e-4;  // rms / a: well above the flow's rounding, well below an edge
+  constexpr int kMostIterations = 50;
+  constexpr double kEnough = 0.02;  // relative change from one iteration to the next
+  if (stiffest_.size() == 0) stiffest_ = velocities;
+  double radius = 0;
+  Points displaced_velocities(3, positions.cols());
+  for (int n = 0; n < kMostIterations; ++n) {
+    stiffest_ *= kDisplacement / rms(stiffest_);
+    if (!solve(kt, positions + stiffest_, displaced_velocities).converged) break;
+    stiffest_ = displaced_velocities - velocities;
+    const double last = std::exchange(radius, rms(stiffest_) / kDisplacement);
+    if (n > 0 && std::abs(radius - last) <= kEnough * radius) break;
+  }
+  spectral_radius_ = std::max(kSafety * radius, 1.);
+  steps_since_estimate_ = 0;
+}
+
+FlowReport RungeKuttaChebyshev::solve(double kt, const Points& positions, Points& velocities) {
+  const FlowReport one = (*field_)(kt, positions, velocities);
+  report_.iterations += one.iterations;
+  report_.error = one.error;
+  report_.converged = one.converged;
+  report_.fault = one.fault;
+  return one;
+}
+
+void RungeKuttaChebyshev::save(StateArchive& archive) const {
+  archive.put("time_step/step", {step_, spectral_radius_, double(steps_since_estimate_)});
+  put_points(archive, "time_step/stiffest", stiffest_);
+}
+
+void RungeKuttaChebyshev::load(const StateArchive& archive) {
+  const auto saved = archive.get("time_step/step");
+  step_ = saved[0], spectral_radius_ = saved[1], steps_since_estimate_ = int(saved[2]);
+  stiffest_ = get_points(archive, "time_step/stiffest");
+}
+
+}  // namespace capstan
