@@ -39,7 +39,7 @@ struct Coefficients {
     const double w1 = c[s].dT / c[s].ddT;
     std::vector<double> b(s + 1), a(s + 1), time(s + 1);
     for (int j = 2; j <= s; ++j) b[j] = c[j].ddT / (c[j].dT * c[j].dT);
-    b[0] = b[2], b[1] = 1 / w0;
+    b[0] = b[1] = b[2];
     for (int j = 0; j <= s; ++j) a[j] = 1 - b[j] * c[j].T;
     for (int j = 2; j <= s; ++j) time[j] = w1 * c[j].ddT / c[j].dT;
     time[1] = time[2] / c[2].dT;

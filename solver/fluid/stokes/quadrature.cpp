@@ -11,8 +11,7 @@ constexpr int kMostSplits = 3;
 void append_rule(const Eigen::Matrix3d& corners, const Vec3& x0, const Eigen::Matrix3d& part, double share, int splits,
                  std::vector<TrianglePoint>& rule) {
   const Eigen::Matrix3d x = corners * part;
-  const double size = std::max({(x.col(1) - x.col(0)).norm(), (x.col(2) - x.col(1)).norm(), (x.col(0) - x.col(2)).norm()});
-  if (splits == kMostSplits || size <= (x.rowwise().mean() - x0).norm()) {
+  if (splits == kMostSplits || TriangleSize(x).is_served_from(x0)) {
     for (int n = 0; n < kGaussPoints; ++n) {
       const TrianglePoint point = gauss_point(n);
       rule.push_back({part * point.barycentric, share * point.weight});
@@ -30,6 +29,11 @@ void append_rule(const Eigen::Matrix3d& corners, const Vec3& x0, const Eigen::Ma
 }
 
 }  // namespace
+
+TriangleSize::TriangleSize(const Eigen::Matrix3d& x)
+    : centre(x.rowwise().mean()),
+      squared(std::max({(x.col(1) - x.col(0)).squaredNorm(), (x.col(2) - x.col(1)).squaredNorm(),
+                        (x.col(0) - x.col(2)).squaredNorm()})) {}
 
 std::vector<TrianglePoint> refined_rule(const Eigen::Matrix3d& corners, const Vec3& x0) {
   std::vector<TrianglePoint> rule;

@@ -31,8 +31,17 @@ inline constexpr std::array<EdgePoint, 5> kEdgeRule = {{{0.046910077030668, 0.11
                                                         {0.769234655052842, 0.239314335249683},
                                                         {0.953089922969332, 0.118463442528095}}};
 
-/// The three-point rule on a triangle split into four again and again, until a part is no larger than its distance from
-/// x0 or has been split three times.
+/// A triangle as far as it matters to the three-point rule, which serves for x0 no nearer than its longest side.
+struct TriangleSize {
+  explicit TriangleSize(const Eigen::Matrix3d& corners);
+  bool is_served_from(const Vec3& x0) const { return (centre - x0).squaredNorm() >= squared; }
+
+  Vec3 centre;
+  double squared;  ///< longest side, squared
+};
+
+/// The three-point rule on a triangle split into four again and again, until it serves on every part or a part has been
+/// split three times.
 /// \param corners 3 x 3, one column a corner
 std::vector<TrianglePoint> refined_rule(const Eigen::Matrix3d& corners, const Vec3& x0);
 

@@ -41,8 +41,11 @@ class SingleLayer {
     const Vec3 x0 = surface_.positions.col(target);
     near.clear();
     for (const Corner& corner : rings.one_ring) replace_by_rays(target, corner, near);
-    for (int face : rings.two_ring)
-      for (const PointForce& point : face_rules_[face]) near.add(point);
+    for (int face : rings.two_ring) {
+      if (face_sizes_[face].is_served_from(x0))
+        for (const PointForce& point : face_rules_[face]) near.add(point);
+      else replace_by_split_face(x0, face, near);
+    }
     for (const CloseFace& here : close) replace_by_split_face(x0, here.face, near);
     const Vec3 far = sum_stokeslets(surface_.points, forces_, x0.cast<float>()).cast<double>();
     return (far + near.velocity_at(x0)) / (8 * std::numbers::pi);
@@ -61,6 +64,7 @@ class SingleLayer {
     for (int face = 0; face < int(face_rules_.size()); ++face) {
       const Eigen::Vector3i corners = surface_.mesh.faces.col(face);
       const Eigen::Matrix3d x = surface_.positions(Eigen::all, corners), f = densities_(Eigen::all, corners);
+      face_sizes_.emplace_back(x);
       for (int n = 0; n < kGaussPoints; ++n) {
         const TrianglePoint point = gauss_point(n);
         const Vec3 force = point.weight * surface_.face_areas[face] * (f * point.barycentric);
@@ -95,6 +99,7 @@ class SingleLayer {
   Points densities_;   ///< 3 x #V: f, force per area
   PointArray forces_;  ///< the vertex rule
   std::vector<std::array<PointForce, 2 * kGaussPoints>> face_rules_;
+  std::vector<TriangleSize> face_sizes_;
 };
 
 }  // namespace

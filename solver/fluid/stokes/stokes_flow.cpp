@@ -12,6 +12,7 @@ namespace capstan {
 namespace {
 
 constexpr int kMostProducts = 150;
+constexpr double kVolumeRate = 10;  // fast against the flow, slow against the membrane
 
 Points shear_flow(const Points& positions) {
   Points velocities = Points::Zero(3, positions.cols());
@@ -44,7 +45,7 @@ FlowReport StokesFlow::solve(double, const Points& positions, const Points& forc
 
   const Points normals = surface.vertex_area_vectors.colwise().normalized();
   const double drift = volume(positions, mesh_.faces) - options_.volume;
-  const double outflow = flux(orbits_.extend(last_), surface) + 2 * drift;
+  const double outflow = flux(orbits_.extend(last_), surface) + kVolumeRate * drift;
   velocities = orbits_.extend(last_ - outflow / flux(normals, surface) * orbits_.restrict(normals));
   if (!velocities.allFinite()) return lost_flow("the flow is not finite");
   return report;

@@ -13,7 +13,7 @@ class StokesFlow : public FlowModel {
  public:
   struct Options {
     double viscosity_ratio = 1;  ///< V
-    double volume = 0;           ///< the capsule's own: a drift from it decays at the rate 2
+    double volume = 0;           ///< the capsule's own: a drift from it decays at the rate 10
     double tolerance = 1e-4;     ///< relative residual of the equation above
   };
   /// \param orbits the vertices where the equation is solved, and how they stand for the others

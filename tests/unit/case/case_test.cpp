@@ -127,6 +127,33 @@ TEST(ParseCase, FromReynoldsOneTenthOnTheFlowIsTransientUnlessToldOtherwise) {
   EXPECT_EQ(valid({{"Ca", 0.1}, {"Re", 0.1}, {"fluid", "quasisteady"}}).fluid, Fluid::quasisteady);
 }
 
+TEST(ParseCase, AutoTakesStokesUnlessInertiaOrWallsAreAskedFor) {
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "auto"}}).fluid, Fluid::stokes);
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "auto"}, {"Re", 0}}).fluid, Fluid::stokes);
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "auto"}, {"Re", 0.5}}).fluid, Fluid::transient);
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "auto"}, {"fidelity", {{"box", 6.4}}}}).fluid, Fluid::quasisteady);
+}
+
+TEST(ParseCase, WhatAutoChoseIsTheCaseThatRuns) {
+  EXPECT_EQ(case_id(valid({{"Ca", 0.1}, {"fluid", "auto"}})), case_id(valid({{"Ca", 0.1}, {"fluid", "stokes"}})));
+}
+
+TEST(ParseCase, StokesFlowHasNeitherInertiaNorGrid) {
+  EXPECT_EQ(case_id(valid({{"Ca", 0.1}, {"fluid", "stokes"}, {"Re", 0.1}})),
+            case_id(valid({{"Ca", 0.1}, {"fluid", "stokes"}, {"Re", 0}})));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fluid", "stokes"}, {"Re", 0.2}}), ElementsAre("/Re"));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"Re", 0}}), ElementsAre("/Re"));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", {{"dx", 0.1}, {"box", 12.8}}}}),
+              UnorderedElementsAre("/fidelity/dx", "/fidelity/box"));
+}
+
+TEST(ParseCase, StepperThatChoosesItsStepsTakesNone) {
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "stokes"}}).fidelity.stepper, Stepper::runge_kutta_chebyshev);
+  EXPECT_EQ(valid({{"Ca", 0.1}}).fidelity.stepper, Stepper::adams_bashforth);
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"stepper", "rkc2"}, {"kdt", 0.1}}}}),
+              ElementsAre("/fidelity/kdt"));
+}
+
 TEST(ParseCase, AGridThatCannotBeCoarsenedOrHeldIsAFault) {
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"dx", 0.11}}}}), ElementsAre("/fidelity"));
   EXPECT_THAT(only_message({{"Ca", 0.1}, {"fidelity", {{"dx", 0.02}, {"box", 100}}}}), HasSubstr("memory"));
@@ -147,6 +174,9 @@ const json kManyCases[] = {
     {{"Ca", 1.0 / 3}, {"shape", "oblate"}, {"aspect", 0.9}},
     {{"Ca", 0.1}, {"Re", 0.25}},
     {{"Ca", 0.1}, {"fidelity", "paper"}},
+    {{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", "fine"}},
+    {{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", {{"stepper", "ab2"}}}},
+    with(kRedBloodCell, "/c0", "uniform"),
 };
 
 TEST(CanonicalCase, ReadsBackAsTheSameCase) {

@@ -55,6 +55,12 @@ TEST(Resume, TransientFlowGoesOnToTheLastBit) {
     "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162}})"));
 }
 
+TEST(Resume, StokesFlowWithStepsAfterTheirErrorGoesOnToTheLastBit) {
+  expect_resumed_equals_uninterrupted(parsed_case(R"({
+    "shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4, "fluid": "stokes",
+    "until": {"kt": 2.5}, "outputs": {"checkpoint_every": 7}, "fidelity": {"nodes": 162}})"));
+}
+
 // The tolerance is met by a single cycle here, so that a start that is not the interrupted one would show.
 TEST(Resume, PapersSchemeGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({

@@ -1,0 +1,81 @@
+#include "solver/fluid/stokes/point_sums.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace capstan {
+namespace {
+
+using Points = Eigen::Matrix3Xd;
+using Vec3 = Eigen::Vector3d;
+
+PointArray array_of(const Points& values) {
+  PointArray array;
+  array.assign(values);
+  return array;
+}
+
+/// Of a count that fills no whole vector.
+struct Cloud {
+  Points x = Points::Random(3, 37), f = Points::Random(3, 37), u = Points::Random(3, 37);
+};
+
+Vec3 stokeslets_in_double(const Cloud& cloud, const Vec3& x0) {
+  Vec3 sum = Vec3::Zero();
+  for (Eigen::Index n = 0; n < cloud.x.cols(); ++n) {
+    const Vec3 r = cloud.x.col(n) - x0;
+    if (r.norm() > 0) sum += cloud.f.col(n) / r.norm() + r * r.dot(cloud.f.col(n)) / std::pow(r.norm(), 3);
+  }
+  return sum;
+}
+
+Vec3 stresslets_in_double(const Cloud& cloud, const Vec3& x0, const Vec3& u0) {
+  Vec3 sum = Vec3::Zero();
+  for (Eigen::Index n = 0; n < cloud.x.cols(); ++n) {
+    const Vec3 r = cloud.x.col(n) - x0;
+    if (r.norm() > 0)
+      sum -= 6 * r * r.dot(cloud.u.col(n) - u0) * r.dot(cloud.f.col(n)) / std::pow(r.norm(), 5);
+  }
+  return sum;
+}
+
+TEST(PointSums, StokesletsAreThoseOfDoublePrecision) {
+  const Cloud cloud;
+  const Vec3 x0(0.1, -0.2, 1.5);
+  const Vec3 exact = stokeslets_in_double(cloud, x0);
+  const auto sum = sum_stokeslets(array_of(cloud.x), array_of(cloud.f), x0.cast<float>());
+  EXPECT_LT((sum.cast<double>() - exact).norm(), 1e-5 * exact.norm());
+}
+
+TEST(PointSums, StressletsAreThoseOfDoublePrecision) {
+  const Cloud cloud;
+  const Vec3 x0(0.1, -0.2, 1.5), u0(0.3, 0.2, 0.1);
+  const Vec3 exact = stresslets_in_double(cloud, x0, u0);
+  const auto sum =
+      sum_stresslets(array_of(cloud.x), array_of(cloud.f), array_of(cloud.u), x0.cast<float>(), u0.cast<float>());
+  EXPECT_LT((sum.cast<double>() - exact).norm(), 1e-5 * exact.norm());
+}
+
+TEST(PointSums, ASourceOnTheTargetCountsForNothing) {
+  Cloud cloud;
+  cloud.x = cloud.x.cast<float>().cast<double>();
+  const Vec3 x0 = cloud.x.col(5), u0 = cloud.u.col(5).cast<float>().cast<double>();
+  const auto single = sum_stokeslets(array_of(cloud.x), array_of(cloud.f), x0.cast<float>());
+  const auto twofold =
+      sum_stresslets(array_of(cloud.x), array_of(cloud.f), array_of(cloud.u), x0.cast<float>(), u0.cast<float>());
+  const Vec3 exact_single = stokeslets_in_double(cloud, x0), exact_twofold = stresslets_in_double(cloud, x0, u0);
+  EXPECT_LT((single.cast<double>() - exact_single).norm(), 1e-5 * exact_single.norm());
+  EXPECT_LT((twofold.cast<double>() - exact_twofold).norm(), 1e-4 * exact_twofold.norm());
+}
+
+TEST(PointSums, EveryPointHasItsOwnReach) {
+  Points x(3, 3);
+  x << 1, 2, 3, 0, 0, 0, 0, 0, 0;
+  std::vector<float> reach_squared(PointArray::kLanes, 0.f);
+  reach_squared[0] = 1.5f, reach_squared[1] = 3.9f, reach_squared[2] = 9.1f;
+  EXPECT_EQ(count_within_reach(array_of(x), reach_squared.data(), Eigen::Vector3f::Zero()), 2);
+}
+
+}  // namespace
+}  // namespace capstan

@@ -1,0 +1,92 @@
+#include "solver/simulation/runge_kutta_chebyshev.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace capstan {
+namespace {
+
+/// x' = y, y' = -x, and z decays towards cos t at a rate.
+VelocityField circle_and_decay(double rate) {
+  return [=](double kt, const Points& x, Points& u) -> FlowReport {
+    u.resize(3, 1);
+    u << x(1), -x(0), -rate * (x(2) - std::cos(kt)) - std::sin(kt);
+    return {.iterations = 1};
+  };
+}
+
+Points run(RungeKuttaChebyshev stepper, const VelocityField& field, double end, double interval) {
+  Points x(3, 1), u(3, 1);
+  x << 0, 1, 1;
+  for (double kt = 0; kt < end - 1e-9; kt += interval) {
+    field(kt, x, u);
+    EXPECT_TRUE(stepper.advance(field, kt, kt + interval, u, x).converged);
+  }
+  return x;
+}
+
+Vec3 exact(double kt) { return {std::sin(kt), std::cos(kt), std::cos(kt)}; }
+
+TEST(RungeKuttaChebyshev, IsOfSecondOrder) {
+  const auto error = [](double step) {
+    return (run(RungeKuttaChebyshev({.tolerance = 1, .largest_step = step}), circle_and_decay(1), 1, 1).col(0) -
+            exact(1)).norm();
+  };
+  // it starts with a tenth of the largest step, so that the error of a step is not known beforehand
+  EXPECT_NEAR(std::log2(error(0.05) / error(0.025)), 2, 0.35);
+  EXPECT_NEAR(std::log2(error(0.025) / error(0.0125)), 2, 0.35);
+}
+
+TEST(RungeKuttaChebyshev, ToleranceBoundsTheErrorOfAStiffProblem) {
+  for (double tolerance : {1e-3, 1e-4, 1e-5}) {
+    const Points x = run(RungeKuttaChebyshev({.tolerance = tolerance}), circle_and_decay(1000), 2, 0.1);
+    EXPECT_LT((x.col(0) - exact(2)).norm(), 40 * tolerance) << tolerance;
+  }
+}
+
+TEST(RungeKuttaChebyshev, SpendsFlowsWithTheRootOfTheStiffness) {
+  const auto flows = [](double rate) {
+    int calls = 0;
+    run(RungeKuttaChebyshev(), [&](double, const Points& x, Points& u) -> FlowReport {
+      ++calls;
+      u << x(1), -x(0), -rate * (x(2) - x(0) / rate);
+      return {.iterations = 1};
+    }, 4, 0.1);
+    return calls;
+  };
+  EXPECT_LT(flows(16000), 6 * flows(1000));  // explicit Euler would need 16 times as many
+}
+
+TEST(RungeKuttaChebyshev, FindsTheFastestDecay) {
+  const VelocityField field = circle_and_decay(300);
+  RungeKuttaChebyshev stepper;
+  Points x(3, 1), u(3, 1);
+  x << 0, 1, 1.01;
+  field(0, x, u);
+  stepper.advance(field, 0, 0.1, u, x);
+  EXPECT_NEAR(stepper.spectral_radius(), 1.2 * 300, 0.1 * 300);
+}
+
+TEST(RungeKuttaChebyshev, AFlowThatIsLostIsTriedAgainWithASmallerStep) {
+  const VelocityField well = circle_and_decay(1);
+  int lost = 0;
+  const VelocityField field = [&](double kt, const Points& x, Points& u) {
+    return kt > 0 && lost < 3 ? (++lost, lost_flow("for a while")) : well(kt, x, u);
+  };
+  const Points x = run(RungeKuttaChebyshev(), field, 0.1, 0.1);
+  EXPECT_EQ(lost, 3);
+  EXPECT_LT((x.col(0) - exact(0.1)).norm(), 1e-3);
+}
+
+TEST(RungeKuttaChebyshev, AFlowThatIsLostForGoodEndsWithItsReason) {
+  const VelocityField lost = [](double, const Points&, Points&) { return lost_flow("no flow at all"); };
+  RungeKuttaChebyshev stepper;
+  Points x = Points::Zero(3, 1);
+  const FlowReport report = stepper.advance(lost, 0, 0.1, Points::Ones(3, 1), x);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.fault, "no flow at all");
+}
+
+}  // namespace
+}  // namespace capstan
