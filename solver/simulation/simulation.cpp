@@ -32,9 +32,16 @@ Outcome Simulation::run(RunOutput& output) {
   }
 }
 
+/// A stepper may end with the flow that the next step starts with: that one is known.
 FlowReport Simulation::solve_flow(double at, const Points& positions, Points& velocities) {
-  membrane_.forces(positions, forces_);                           // eqs. 29, 31
-  return flow_->solve(at, positions, forces_, velocities);        // eqs. 20-25, 33-36, 40
+  if (positions == solved_.positions) {
+    velocities = solved_.velocities;
+    return {};
+  }
+  membrane_.forces(positions, forces_);                                       // eqs. 29, 31
+  const FlowReport flow = flow_->solve(at, positions, forces_, velocities);  // eqs. 20-25, 33-36, 40
+  if (flow.converged) solved_ = {positions, velocities};
+  return flow;
 }
 
 Simulation::Simulation(const Case& c)
@@ -43,6 +50,7 @@ Simulation::Simulation(const Case& c)
       positions_(initial_positions(c, sphere_)),
       forces_(Points::Zero(3, positions_.cols())),
       velocities_(Points::Zero(3, positions_.cols())),
+      solved_{Points::Zero(3, positions_.cols()), velocities_},
       membrane_(c, sphere_.mesh, positions_),
       flow_(make_flow(c, sphere_.mesh, positions_)),
       stepper_(make_stepper(c)),
@@ -120,6 +128,8 @@ std::optional<Outcome> Simulation::finished() const {
 void Simulation::save_checkpoint(RunOutput& output) const {
   StateArchive archive;
   put_points(archive, "positions", positions_);
+  put_points(archive, "solved/positions", solved_.positions);
+  put_points(archive, "solved/velocities", solved_.velocities);
   stepper_->save(archive);
   flow_->save(archive);
   tracker_.save(archive);
@@ -127,11 +137,14 @@ void Simulation::save_checkpoint(RunOutput& output) const {
   archive.put("statistics", {double(statistics_.steps), double(statistics_.flow_iterations),
                              statistics_.worst_flow_error, statistics_.volume_drift, statistics_.area_drift});
   archive.put("iterations_since_record", iterations_since_record_);
+  archive.put("last_flow_error", last_flow_error_);
   output.checkpoint(std::move(archive));
 }
 
 void Simulation::load(const StateArchive& archive) {
   positions_ = get_points(archive, "positions");
+  solved_ = {get_points(archive, "solved/positions"), get_points(archive, "solved/velocities")};
+  membrane_.forces(positions_, forces_);
   stepper_->load(archive);
   flow_->load(archive);
   tracker_.load(archive);
@@ -139,6 +152,7 @@ void Simulation::load(const StateArchive& archive) {
   const auto saved = archive.get("statistics");
   statistics_ = {long(saved[0]), long(saved[1]), saved[2], saved[3], saved[4]};
   iterations_since_record_ = int(archive.number("iterations_since_record"));
+  last_flow_error_ = archive.number("last_flow_error");
 }
 
 }  // namespace capstan

@@ -71,6 +71,9 @@ class Simulation {
   Case case_;
   Icosphere sphere_;
   Points positions_, forces_, velocities_;  ///< 3 x #V
+  struct Solved {
+    Points positions, velocities;
+  } solved_;  ///< the last flow; positions all zero before the first
   Membrane membrane_;
   std::unique_ptr<FlowModel> flow_;
   std::unique_ptr<TimeStepper> stepper_;

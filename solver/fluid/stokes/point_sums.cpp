@@ -65,12 +65,6 @@ void PointArray::resize(int size) {
   for (std::vector<float>* component : {&x_, &y_, &z_}) component->resize(size_t(size));
 }
 
-void PointArray::push_back(const Eigen::Vector3f& v) {
-  if (size_ == padded_size()) resize(size_ + kLanes);
-  x_[size_] = v[0], y_[size_] = v[1], z_[size_] = v[2];
-  ++size_;
-}
-
 void PointArray::finish() {
   const int padded = (size_ + kLanes - 1) / kLanes * kLanes;
   resize(padded);

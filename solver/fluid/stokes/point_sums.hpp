@@ -15,7 +15,11 @@ class PointArray {
   static constexpr int kLanes = 16;
 
   void clear() { size_ = 0; }
-  void push_back(const Eigen::Vector3f& v);
+  void push_back(const Eigen::Vector3f& v) {
+    if (size_ == padded_size()) resize(2 * size_ + kLanes);
+    x_[size_] = v[0], y_[size_] = v[1], z_[size_] = v[2];
+    ++size_;
+  }
   /// \param values 3 x n
   void assign(const Eigen::Matrix3Xd& values);
   /// Pads with zeros; to be called after the last push_back.
