@@ -81,17 +81,26 @@ Action declare_on_study(CLI::App& command) {
   return [arguments] { return run(*arguments); };
 }
 
-Action declare_solve(CLI::App& command, const SolveCase& solve) {
+Action declare_solve(CLI::App& command, const Physics& physics) {
   auto files = std::make_shared<std::pair<std::filesystem::path, std::filesystem::path>>();
   command.add_option("CASE", files->first, "the case (schema/case.schema.json)")->required();
   command.add_option("--out", files->second, "the run directory; made if it is not there")->required();
   command.footer(
       "A run that was killed goes on where it stood when the same command is given again.\n"
       "Example:\n  capstan solve case.json --out runs/first\n");
-  return [files, solve] {
+  return [files, solve = physics.solve] {
     end_with_daemon();
     return solve(files->first, files->second);
   };
+}
+
+Action declare_compare(CLI::App& command, const Physics& physics) {
+  auto files = std::make_shared<std::vector<std::filesystem::path>>();
+  command.add_option("CASE", *files, "the cases (schema/case.schema.json); their fluid and grid are set here")->required();
+  command.footer(
+      "Prints D_xy and theta at the end of each run, and what is left between the models without spacing and walls.\n"
+      "Example:\n  capstan compare studies/cross_validation/*.json\n");
+  return [files, compare = physics.compare] { return compare(*files); };
 }
 
 struct Command {
@@ -113,7 +122,7 @@ constexpr Command kCommands[] = {
 };
 
 /// What the arguments ask for; nothing, and the exit code in `code`, after help or a usage error.
-Action read_arguments(int argc, char** argv, const SolveCase& solve, int& code) {
+Action read_arguments(int argc, char** argv, const Physics& physics, int& code) {
   CLI::App app{"Capstan: do capsules in shear flow tumble or tank-tread, and how do they deform?", "capstan"};
   app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, Action>> actions;
@@ -121,8 +130,10 @@ Action read_arguments(int argc, char** argv, const SolveCase& solve, int& code) 
     CLI::App* parser = app.add_subcommand(command.name, command.summary);
     actions.emplace_back(parser, command.declare(*parser));
   }
-  CLI::App* parser = app.add_subcommand("solve", "compute one case, or resume it, without a server");
-  actions.emplace_back(parser, declare_solve(*parser, solve));
+  CLI::App* solve = app.add_subcommand("solve", "compute one case, or resume it, without a server");
+  actions.emplace_back(solve, declare_solve(*solve, physics));
+  CLI::App* compare = app.add_subcommand("compare", "run the same case with all fluid models and tell how far they agree");
+  actions.emplace_back(compare, declare_compare(*compare, physics));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -141,10 +152,10 @@ int report(const std::exception& error, int code) {
 
 }  // namespace
 
-int run_program(int argc, char** argv, const SolveCase& solve) {
+int run_program(int argc, char** argv, const Physics& physics) {
   try {
     int code = kExitDone;
-    const Action action = read_arguments(argc, argv, solve, code);
+    const Action action = read_arguments(argc, argv, physics, code);
     return action ? action() : code;
   } catch (const Refused& refusal) {
     if (!refusal.issues.empty()) print_issues(std::cerr, "the server", refusal.issues);

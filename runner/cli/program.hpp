@@ -2,14 +2,18 @@
 // The program `capstan`: a table of subcommands.
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 namespace capstan {
 
-/// Runs one case in its directory; the exit code of `capstan solve`.
-using SolveCase =
-    std::function<int(const std::filesystem::path& case_file, const std::filesystem::path& out)>;
+/// The commands that need the physics, which the rest of the program does not know. Each returns its exit code.
+struct Physics {
+  /// `capstan solve`: one case in its directory
+  std::function<int(const std::filesystem::path& case_file, const std::filesystem::path& out)> solve;
+  /// `capstan compare`: the fluid models on the same cases
+  std::function<int(const std::vector<std::filesystem::path>& case_files)> compare;
+};
 
-/// \param solve  stands apart, since it alone needs the physics
-int run_program(int argc, char** argv, const SolveCase& solve);
+int run_program(int argc, char** argv, const Physics& physics);
 
 }  // namespace capstan

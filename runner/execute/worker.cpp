@@ -7,13 +7,11 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
+#include "runner/execute/case_file.hpp"
 #include "runner/execute/exit_code.hpp"
 #include "solver/case/content_id.hpp"
-#include "solver/case/parse.hpp"
 #include "solver/simulation/run_recorder.hpp"
 #include "solver/state/durable_file.hpp"
 
@@ -31,17 +29,6 @@ void checkpoint_on_signals() {
 /// threads that share a core with another case wait for each other.
 void use_one_core_by_default() {
   if (!std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(1);
-}
-
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path.string());
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-ParsedCase read_case(const std::filesystem::path& path) {
-  const ParsedJson json = parse_json(contents(path));
-  return json.value ? parse_case(*json.value) : ParsedCase{std::nullopt, json.issues};
 }
 
 /// Says how far the run is: a line that overwrites itself on a terminal, a line a unit of kt elsewhere.
@@ -103,9 +90,7 @@ bool claim_directory(const std::filesystem::path& out, const Case& c) {
 
 int solve(const std::filesystem::path& case_file, const std::filesystem::path& out) {
   const ParsedCase parsed = read_case(case_file);
-  for (const Issue& issue : parsed.issues)
-    std::cerr << case_file.string() << ": " << (issue.pointer.empty() ? "" : issue.pointer + ": ")
-              << issue.message << "\n";
+  print_faults(case_file, parsed.issues);
   if (!parsed.value) return kExitInvalidInput;
   if (!claim_directory(out, *parsed.value)) {
     std::cerr << out.string() << " holds the run of another case: choose another directory\n";

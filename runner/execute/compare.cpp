@@ -1,0 +1,113 @@
+#include "runner/execute/compare.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <numbers>
+
+#include "runner/execute/case_file.hpp"
+#include "runner/execute/exit_code.hpp"
+#include "solver/simulation/simulation.hpp"
+
+namespace capstan {
+namespace {
+
+class KeepHistory : public RunOutput {
+ public:
+  void record(const Record& now) override { history.push_back(now); }
+  void shape(double, int, const Points&, const Points&, const Points&) override {}
+  void checkpoint(StateArchive) override {}
+  bool interrupted() const override { return false; }
+
+  History history;
+};
+
+struct Run {
+  Record last;
+  double seconds = 0;
+};
+
+std::optional<Run> run(const Case& c) {
+  const auto start = std::chrono::steady_clock::now();
+  KeepHistory output;
+  Simulation simulation(c);
+  const Outcome outcome = simulation.run(output);
+  if (outcome.stop != Stop::reached_end) {
+    std::cerr << word(c.fluid) << ": " << word(outcome.stop) << ": " << outcome.message << "\n";
+    return std::nullopt;
+  }
+  return Run{output.history.back(), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
+struct Grid {
+  double dx, box;
+};
+/// Each spacing half the one before, and the middle one in a box of twice the size.
+constexpr Grid kCoarse{0.4, 12.8}, kMiddle{0.2, 12.8}, kWide{0.2, 25.6}, kFine{0.1, 12.8};
+
+Case in_stokes_flow(const Case& c) {
+  nlohmann::json object = to_json(c);
+  object["fluid"] = "stokes";
+  object["fidelity"] = {{"nodes", c.fidelity.nodes}};
+  return parse_case(object).value.value();
+}
+
+Case on_lattice(const Case& c, const Grid& grid) {
+  nlohmann::json object = to_json(c);
+  object["fluid"] = "quasisteady";
+  object["fidelity"] = {{"nodes", c.fidelity.nodes}, {"dx", grid.dx}, {"box", grid.box}};
+  return parse_case(object).value.value();
+}
+
+void print_row(const char* fluid, const Grid* grid, const Run& run, const Record& stokes) {
+  std::printf("| %-11s |", fluid);
+  if (grid) std::printf(" %3g | %4g |", grid->dx, grid->box);
+  else std::printf("     |      |");
+  std::printf(" %.4f | %+6.2f %% | %+7.4f | %+7.4f | %7.1f |\n", run.last.D_xy, 100 * (run.last.D_xy / stokes.D_xy - 1),
+              run.last.theta / std::numbers::pi, (run.last.theta - stokes.theta) / std::numbers::pi, run.seconds);
+  std::fflush(stdout);
+}
+
+/// The limit of no spacing, to which the delta function's width converges at first order, and of no walls, whose effect
+/// falls with the cube of their distance.
+double limit(double middle, double wide, double fine) { return 2 * fine - middle + 8. / 7 * (wide - middle); }
+
+int compare(const std::filesystem::path& file, const Case& c) {
+  std::printf("\n%s: %s, Ca = %g, V = %g, at kt = %g, %d nodes\n\n", file.stem().c_str(), word(c.shape).data(), c.Ca, c.V,
+              c.until.kt, c.fidelity.nodes);
+  std::printf("| fluid       |  dx |  box |   D_xy |    differs | theta/pi | differs | seconds |\n");
+  std::printf("|---|---|---|---|---|---|---|---|\n");
+  const auto stokes = run(in_stokes_flow(c));
+  if (!stokes) return kExitNoAnswer;
+  print_row("stokes", nullptr, *stokes, stokes->last);
+  std::vector<Record> lasts;
+  for (const Grid& grid : {kCoarse, kMiddle, kWide, kFine}) {
+    const auto lattice = run(on_lattice(c, grid));
+    if (!lattice) return kExitNoAnswer;
+    print_row("quasisteady", &grid, *lattice, stokes->last);
+    lasts.push_back(lattice->last);
+  }
+  const auto &coarse = lasts[0], &middle = lasts[1], &wide = lasts[2], &fine = lasts[3];
+  Run extrapolated;
+  extrapolated.last.D_xy = limit(middle.D_xy, wide.D_xy, fine.D_xy);
+  extrapolated.last.theta = limit(middle.theta, wide.theta, fine.theta);
+  const Grid none{0, INFINITY};
+  print_row("limit", &none, extrapolated, stokes->last);
+  std::printf("\norder in dx: %.2f\n", std::log2(std::abs((coarse.D_xy - middle.D_xy) / (middle.D_xy - fine.D_xy))));
+  return kExitDone;
+}
+
+}  // namespace
+
+int compare_models(const std::vector<std::filesystem::path>& case_files) {
+  for (const std::filesystem::path& file : case_files) {
+    const ParsedCase parsed = read_case(file);
+    print_faults(file, parsed.issues);
+    if (!parsed.value) return kExitInvalidInput;
+    if (const int code = compare(file, *parsed.value); code != kExitDone) return code;
+  }
+  return kExitDone;
+}
+
+}  // namespace capstan
