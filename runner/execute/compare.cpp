@@ -1,10 +1,13 @@
 #include "runner/execute/compare.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <numbers>
+#include <span>
 
 #include "runner/execute/case_file.hpp"
 #include "runner/execute/exit_code.hpp"
@@ -43,8 +46,10 @@ std::optional<Run> run(const Case& c) {
 struct Grid {
   double dx, box;
 };
-/// Each spacing half the one before, and the middle one in a box of twice the size.
-constexpr Grid kCoarse{0.4, 12.8}, kMiddle{0.2, 12.8}, kWide{0.2, 25.6}, kFine{0.1, 12.8};
+/// The spacing is halved in a small box, the box is doubled at the coarse spacing: so no grid has more than 128^3 cells.
+constexpr std::array<Grid, 3> kSpacings = {{{0.2, 6.4}, {0.1, 6.4}, {0.05, 6.4}}};
+constexpr std::array<Grid, 2> kBoxes = {{{0.2, 12.8}, {0.2, 25.6}}};
+constexpr double kLargestStep = 0.02;  // so that the step in time is no part of the difference
 
 Case in_stokes_flow(const Case& c) {
   nlohmann::json object = to_json(c);
@@ -57,13 +62,15 @@ Case on_lattice(const Case& c, const Grid& grid) {
   nlohmann::json object = to_json(c);
   object["fluid"] = "quasisteady";
   object["fidelity"] = {{"nodes", c.fidelity.nodes}, {"dx", grid.dx}, {"box", grid.box}};
-  return parse_case(object).value.value();
+  Case on_grid = parse_case(object).value.value();
+  on_grid.fidelity.kdt = std::min(on_grid.fidelity.kdt, kLargestStep);
+  return on_grid;
 }
 
 void print_row(const char* fluid, const Grid* grid, const Run& run, const Record& stokes) {
   std::printf("| %-11s |", fluid);
-  if (grid) std::printf(" %3g | %4g |", grid->dx, grid->box);
-  else std::printf("     |      |");
+  if (grid) std::printf(" %4g | %4g |", grid->dx, grid->box);
+  else std::printf("      |      |");
   std::printf(" %.4f | %+6.2f %% | %+7.4f | %+7.4f | %7.1f |\n", run.last.D_xy, 100 * (run.last.D_xy / stokes.D_xy - 1),
               run.last.theta / std::numbers::pi, (run.last.theta - stokes.theta) / std::numbers::pi, run.seconds);
   std::fflush(stdout);
@@ -71,30 +78,32 @@ void print_row(const char* fluid, const Grid* grid, const Run& run, const Record
 
 /// The limit of no spacing, to which the delta function's width converges at first order, and of no walls, whose effect
 /// falls with the cube of their distance.
-double limit(double middle, double wide, double fine) { return 2 * fine - middle + 8. / 7 * (wide - middle); }
+double limit(double coarse, double middle, double fine, double wide, double widest) {
+  return fine + (fine - middle) + (widest - coarse) + (widest - wide) / 7;
+}
 
 int compare(const std::filesystem::path& file, const Case& c) {
   std::printf("\n%s: %s, Ca = %g, V = %g, at kt = %g, %d nodes\n\n", file.stem().c_str(), word(c.shape).data(), c.Ca, c.V,
               c.until.kt, c.fidelity.nodes);
-  std::printf("| fluid       |  dx |  box |   D_xy |    differs | theta/pi | differs | seconds |\n");
+  std::printf("| fluid       |   dx |  box |   D_xy |    differs | theta/pi | differs | seconds |\n");
   std::printf("|---|---|---|---|---|---|---|---|\n");
   const auto stokes = run(in_stokes_flow(c));
   if (!stokes) return kExitNoAnswer;
   print_row("stokes", nullptr, *stokes, stokes->last);
-  std::vector<Record> lasts;
-  for (const Grid& grid : {kCoarse, kMiddle, kWide, kFine}) {
-    const auto lattice = run(on_lattice(c, grid));
-    if (!lattice) return kExitNoAnswer;
-    print_row("quasisteady", &grid, *lattice, stokes->last);
-    lasts.push_back(lattice->last);
-  }
-  const auto &coarse = lasts[0], &middle = lasts[1], &wide = lasts[2], &fine = lasts[3];
+  std::vector<Record> on;
+  for (const auto& grids : {std::span<const Grid>(kSpacings), std::span<const Grid>(kBoxes)})
+    for (const Grid& grid : grids) {
+      const auto lattice = run(on_lattice(c, grid));
+      if (!lattice) return kExitNoAnswer;
+      print_row("quasisteady", &grid, *lattice, stokes->last);
+      on.push_back(lattice->last);
+    }
   Run extrapolated;
-  extrapolated.last.D_xy = limit(middle.D_xy, wide.D_xy, fine.D_xy);
-  extrapolated.last.theta = limit(middle.theta, wide.theta, fine.theta);
+  extrapolated.last.D_xy = limit(on[0].D_xy, on[1].D_xy, on[2].D_xy, on[3].D_xy, on[4].D_xy);
+  extrapolated.last.theta = limit(on[0].theta, on[1].theta, on[2].theta, on[3].theta, on[4].theta);
   const Grid none{0, INFINITY};
   print_row("limit", &none, extrapolated, stokes->last);
-  std::printf("\norder in dx: %.2f\n", std::log2(std::abs((coarse.D_xy - middle.D_xy) / (middle.D_xy - fine.D_xy))));
+  std::printf("\norder in dx: %.2f\n", std::log2(std::abs((on[0].D_xy - on[1].D_xy) / (on[1].D_xy - on[2].D_xy))));
   return kExitDone;
 }
 

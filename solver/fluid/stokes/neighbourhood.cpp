@@ -52,27 +52,29 @@ Rings Neighbourhood::rings_around(int target) const {
 
 std::vector<CloseFace> Neighbourhood::close_faces(const Surface& surface) const {
   const std::vector<float> reach_squared = squared_reach(surface);
+  std::vector<std::vector<int>> faces(targets_.size());
+#pragma omp parallel for schedule(dynamic, 16)
+  for (int slot = 0; slot < int(targets_.size()); ++slot) faces[slot] = faces_close_to(slot, surface, reach_squared);
   std::vector<CloseFace> close;
-  for (int slot = 0; slot < int(targets_.size()); ++slot) append_close_faces(surface, reach_squared, slot, close);
+  for (int slot = 0; slot < int(targets_.size()); ++slot)
+    for (int face : faces[slot]) close.push_back({slot, face});
   return close;
 }
 
-void Neighbourhood::append_close_faces(const Surface& surface, const std::vector<float>& reach_squared, int slot,
-                                       std::vector<CloseFace>& close) const {
-  const Vec3 x0 = surface.positions.col(targets_[slot]);
-  const auto within_reach = [&](int vertex) {
-    return (surface.positions.col(vertex) - x0).squaredNorm() < double(reach_squared[vertex]);
-  };
+std::vector<int> Neighbourhood::faces_close_to(int slot, const Surface& surface,
+                                               const std::vector<float>& reach_squared) const {
   const Rings& rings = rings_[slot];
-  const auto hits_in_rings = std::ranges::count_if(rings.vertices, within_reach);
-  if (count_within_reach(surface.points, reach_squared.data(), x0.cast<float>()) <= hits_in_rings) return;
+  std::vector<unsigned char> within_reach;
+  const int hits = mark_within_reach(surface.points, reach_squared,
+                                     surface.positions.col(targets_[slot]).cast<float>(), within_reach);
+  const auto hits_in_rings = std::ranges::count_if(rings.vertices, [&](int vertex) { return within_reach[vertex]; });
+  if (hits == hits_in_rings) return {};
   std::set<int> faces;
-  for (int vertex = 0; vertex < surface.positions.cols(); ++vertex) {
-    if (!within_reach(vertex) || std::ranges::binary_search(rings.vertices, vertex)) continue;
-    for (const Corner& corner : corners_[vertex])
-      if (!std::ranges::binary_search(rings.faces, corner.face)) faces.insert(corner.face);
-  }
-  for (int face : faces) close.push_back({slot, face});
+  for (int vertex = 0; vertex < surface.positions.cols(); ++vertex)
+    if (within_reach[vertex] && !std::ranges::binary_search(rings.vertices, vertex))
+      for (const Corner& corner : corners_[vertex])
+        if (!std::ranges::binary_search(rings.faces, corner.face)) faces.insert(corner.face);
+  return {faces.begin(), faces.end()};
 }
 
 }  // namespace capstan

@@ -48,8 +48,7 @@ class Neighbourhood {
 
  private:
   Rings rings_around(int target) const;
-  void append_close_faces(const Surface& surface, const std::vector<float>& reach_squared, int slot,
-                          std::vector<CloseFace>& close) const;
+  std::vector<int> faces_close_to(int slot, const Surface& surface, const std::vector<float>& reach_squared) const;
 
   std::vector<int> targets_;
   std::vector<std::vector<Corner>> corners_;  ///< #V: the faces around each vertex

@@ -50,11 +50,12 @@ CAPSTAN_VECTOR_UNITS void stresslets(int count, Arrays at, Arrays area, Arrays u
 }
 
 CAPSTAN_VECTOR_UNITS int within_reach(int count, Arrays at, const float* __restrict reach_squared, float x0, float y0,
-                                      float z0) {
+                                      float z0, unsigned char* __restrict marks) {
   int hits = 0;
   for (int n = 0; n < count; ++n) {
     const float x = at.x[n] - x0, y = at.y[n] - y0, z = at.z[n] - z0;
-    hits += x * x + y * y + z * z < reach_squared[n];
+    marks[n] = x * x + y * y + z * z < reach_squared[n];
+    hits += marks[n];
   }
   return hits;
 }
@@ -91,8 +92,10 @@ Eigen::Vector3f sum_stresslets(const PointArray& points, const PointArray& area_
   return sum;
 }
 
-int count_within_reach(const PointArray& points, const float* reach_squared, const Eigen::Vector3f& x0) {
-  return within_reach(points.padded_size(), Arrays(points), reach_squared, x0[0], x0[1], x0[2]);
+int mark_within_reach(const PointArray& points, const std::vector<float>& reach_squared, const Eigen::Vector3f& x0,
+                      std::vector<unsigned char>& marks) {
+  marks.resize(size_t(points.padded_size()));
+  return within_reach(points.padded_size(), Arrays(points), reach_squared.data(), x0[0], x0[1], x0[2], marks.data());
 }
 
 }  // namespace capstan

@@ -43,7 +43,9 @@ Eigen::Vector3f sum_stokeslets(const PointArray& points, const PointArray& stren
 Eigen::Vector3f sum_stresslets(const PointArray& points, const PointArray& area_vectors, const PointArray& velocities,
                                const Eigen::Vector3f& x0, const Eigen::Vector3f& u0);
 
-/// How many points lie within their own reach of x0.  \param reach_squared one number a point, padded with zeros
-int count_within_reach(const PointArray& points, const float* reach_squared, const Eigen::Vector3f& x0);
+/// How many points lie within their own reach of x0, and which.
+/// \param reach_squared one number a point, padded with zeros   \param marks one a point, padded: 1 within reach, else 0
+int mark_within_reach(const PointArray& points, const std::vector<float>& reach_squared, const Eigen::Vector3f& x0,
+                      std::vector<unsigned char>& marks);
 
 }  // namespace capstan

@@ -74,7 +74,9 @@ TEST(PointSums, EveryPointHasItsOwnReach) {
   x << 1, 2, 3, 0, 0, 0, 0, 0, 0;
   std::vector<float> reach_squared(PointArray::kLanes, 0.f);
   reach_squared[0] = 1.5f, reach_squared[1] = 3.9f, reach_squared[2] = 9.1f;
-  EXPECT_EQ(count_within_reach(array_of(x), reach_squared.data(), Eigen::Vector3f::Zero()), 2);
+  std::vector<unsigned char> marks;
+  EXPECT_EQ(mark_within_reach(array_of(x), reach_squared, Eigen::Vector3f::Zero(), marks), 2);
+  EXPECT_EQ(std::vector<unsigned char>(marks.begin(), marks.begin() + 4), (std::vector<unsigned char>{1, 0, 1, 0}));
 }
 
 }  // namespace
