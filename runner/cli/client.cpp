@@ -38,6 +38,16 @@ Client::~Client() = default;
 
 ordered_json Client::get(const std::string& path) { return content(http_->Get(path), server_); }
 
+ordered_json Client::get_all(const std::string& path, const std::string& list) {
+  const char* const separator = path.find('?') == std::string::npos ? "?" : "&";
+  ordered_json page = get(path), all = std::move(page[list]);
+  while (page["next"].is_string()) {
+    page = get(path + separator + "after=" + page["next"].get<std::string>());
+    for (ordered_json& item : page[list]) all.push_back(std::move(item));
+  }
+  return all;
+}
+
 ordered_json Client::post(const std::string& path, const std::string& body) {
   return content(http_->Post(path, body, "application/json"), server_);
 }

@@ -36,6 +36,8 @@ class Client {
   ~Client();
 
   nlohmann::ordered_json get(const std::string& path);
+  /// All items of a list that comes in pages. \param list  their key in each page
+  nlohmann::ordered_json get_all(const std::string& path, const std::string& list);
   nlohmann::ordered_json post(const std::string& path, const std::string& body);
 
  private:

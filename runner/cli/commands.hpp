@@ -10,6 +10,8 @@ namespace capstan {
 struct ServeArguments {
   std::string data = "capstan-data";
   std::string listen = "127.0.0.1:8017";
+  double memory_mb = 0;  ///< that a case may take; 0: as much as it wants
+  int wall_seconds = 0;  ///< that an attempt may take; 0: as long as it wants
   int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 int serve(const ServeArguments& arguments);
@@ -26,7 +28,7 @@ int submit_study(const SubmitArguments& arguments);
 int print_studies(const std::string& server);
 
 struct StudyArguments {
-  std::string id;
+  std::string id;                ///< of the study, or of the case where a command is about one
   std::string format = "table";  ///< of print_results: table, csv, json
   std::string server = kDefaultServer;
 };
@@ -34,6 +36,8 @@ int print_study(const StudyArguments& arguments);
 int watch_study(const StudyArguments& arguments);
 int print_results(const StudyArguments& arguments);
 int print_phase_diagram(const StudyArguments& arguments);
-int cancel_study(const StudyArguments& arguments);
+/// \param change  cancel, pause, resume, retry, priority
+int change_study(const StudyArguments& arguments, const std::string& change, const std::string& body = "");
+int explain_case(const StudyArguments& arguments);
 
 }  // namespace capstan

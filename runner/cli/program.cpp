@@ -34,6 +34,13 @@ Action declare_serve(CLI::App& command) {
       ->check(CLI::Range(1, 1024))
       ->type_name("N")
       ->capture_default_str();
+  command.add_option("--memory", arguments->memory_mb, "megabytes that a case may take; without it, all")
+      ->check(CLI::PositiveNumber)
+      ->type_name("MB");
+  command
+      .add_option("--wall-time", arguments->wall_seconds, "seconds that an attempt may take; without it, any")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
   command.footer(
       "Ctrl-C or SIGTERM: running cases write a checkpoint, and the next start goes on from there.\n"
       "Example:\n  capstan serve --data /srv/capsules --cores 4\n");
@@ -81,6 +88,35 @@ Action declare_on_study(CLI::App& command) {
   return [arguments] { return run(*arguments); };
 }
 
+/// A command that changes a study, by its own name.
+Action declare_change(CLI::App& command) {
+  auto arguments = std::make_shared<StudyArguments>();
+  command.add_option("ID", arguments->id, "the study")->required();
+  add_server_option(command, arguments->server);
+  command.footer("Example:\n  capstan " + command.get_name() + " quickstart-3f9c\n");
+  return [arguments, change = command.get_name()] { return change_study(*arguments, change); };
+}
+
+Action declare_priority(CLI::App& command) {
+  auto arguments = std::make_shared<StudyArguments>();
+  auto priority = std::make_shared<int>();
+  command.add_option("ID", arguments->id, "the study")->required();
+  command.add_option("N", *priority, "from -100 to 100; 0 at first")->required();
+  add_server_option(command, arguments->server);
+  command.footer("Example:\n  capstan priority quickstart-3f9c 10\n");
+  return [arguments, priority] {
+    return change_study(*arguments, "priority", "{\"priority\": " + std::to_string(*priority) + "}");
+  };
+}
+
+Action declare_why(CLI::App& command) {
+  auto arguments = std::make_shared<StudyArguments>();
+  command.add_option("ID", arguments->id, "the case")->required();
+  add_server_option(command, arguments->server);
+  command.footer("Example:\n  capstan why 336d1e25fca8fbb3\n");
+  return [arguments] { return explain_case(*arguments); };
+}
+
 Action declare_solve(CLI::App& command, const Physics& physics) {
   auto files = std::make_shared<std::pair<std::filesystem::path, std::filesystem::path>>();
   command.add_option("CASE", files->first, "the case (schema/case.schema.json)")->required();
@@ -96,9 +132,12 @@ Action declare_solve(CLI::App& command, const Physics& physics) {
 
 Action declare_compare(CLI::App& command, const Physics& physics) {
   auto files = std::make_shared<std::vector<std::filesystem::path>>();
-  command.add_option("CASE", *files, "the cases (schema/case.schema.json); their fluid and grid are set here")->required();
+  command
+      .add_option("CASE", *files, "the cases (schema/case.schema.json); their fluid and grid are set here")
+      ->required();
   command.footer(
-      "Prints D_xy and theta at the end of each run, and what is left between the models without spacing and walls.\n"
+      "Prints D_xy and theta at the end of each run, and what is left between the models without spacing and "
+      "walls.\n"
       "Example:\n  capstan compare studies/cross_validation/*.json\n");
   return [files, compare = physics.compare] { return compare(*files); };
 }
@@ -118,7 +157,12 @@ constexpr Command kCommands[] = {
     {"watch", "show the progress of a study until all its cases have ended", declare_on_study<watch_study>},
     {"results", "the cases of a study and what came of them", declare_on_study<print_results>},
     {"phase-diagram", "the motion over two axes of a study", declare_on_study<print_phase_diagram>},
-    {"cancel", "take back what a study has not computed yet", declare_on_study<cancel_study>},
+    {"cancel", "take back what a study has not computed yet", declare_change},
+    {"pause", "start no more cases of a study; what runs goes on", declare_change},
+    {"resume", "start cases of a paused study again", declare_change},
+    {"retry", "queue the failed cases of a study again", declare_change},
+    {"priority", "the studies of the highest number come first, equals take turns", declare_priority},
+    {"why", "what a case waits for, or why it is where it is", declare_why},
 };
 
 /// What the arguments ask for; nothing, and the exit code in `code`, after help or a usage error.
@@ -132,7 +176,8 @@ Action read_arguments(int argc, char** argv, const Physics& physics, int& code) 
   }
   CLI::App* solve = app.add_subcommand("solve", "compute one case, or resume it, without a server");
   actions.emplace_back(solve, declare_solve(*solve, physics));
-  CLI::App* compare = app.add_subcommand("compare", "run the same case with all fluid models and tell how far they agree");
+  CLI::App* compare =
+      app.add_subcommand("compare", "run the same case with all fluid models and tell how far they agree");
   actions.emplace_back(compare, declare_compare(*compare, physics));
   try {
     app.parse(argc, argv);

@@ -14,7 +14,8 @@ int serve(const ServeArguments& arguments) {
   const SystemClock clock;
   const DataDirectory data(arguments.data);
   LocalExecutor executor;
-  Service service(data, executor, clock, arguments.cores);
+  Service service(data, executor, clock, arguments.cores,
+                  {arguments.memory_mb, std::chrono::seconds(arguments.wall_seconds)});
   service.on_change(wake_loop);
   const Server server(service, address);
   std::cout << "Capstan serves " << url_of(server.address()) << " with " << arguments.cores

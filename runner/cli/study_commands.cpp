@@ -23,9 +23,8 @@ std::string path_of(const StudyArguments& arguments, const std::string& rest = "
 }  // namespace
 
 int print_studies(const std::string& server) {
-  const ordered_json answer = Client(server).get("/v1/studies");
   Table table{{"study", "submitted", "cases", "ended", "progress", "description"}, {}};
-  for (const ordered_json& study : answer["studies"]) {
+  for (const ordered_json& study : Client(server).get_all("/v1/studies", "studies")) {
     const ordered_json& cases = study["cases"];
     const int ended = cases["total"].get<int>() - cases["queued"].get<int>() - cases["running"].get<int>();
     const int percent = static_cast<int>(100 * study["progress"].get<double>());
@@ -40,7 +39,8 @@ int print_study(const StudyArguments& arguments) {
   const ordered_json study = Client(arguments.server).get(path_of(arguments));
   std::cout << study["id"].get<std::string>() << "  " << study["description"].get<std::string>() << '\n'
             << "submitted " << study["submitted_at"].get<std::string>()
-            << (study["cancelled"] ? ", cancelled\n" : "\n") << progress_text(study) << '\n';
+            << (study["cancelled"] ? ", cancelled" : "") << (study["paused"] ? ", paused" : "") << '\n'
+            << progress_text(study) << '\n';
   for (const ordered_json& axis : study["axes"])
     std::cout << axis_text(axis["parameter"], axis["values"]) << '\n';
   for (const auto& [motion, count] : study["motions"].items())
@@ -50,13 +50,13 @@ int print_study(const StudyArguments& arguments) {
 
 int print_results(const StudyArguments& arguments) {
   Client client(arguments.server);
-  const ordered_json answer = client.get(path_of(arguments, "/cases"));
+  const ordered_json cases = client.get_all(path_of(arguments, "/cases"), "cases");
   if (arguments.format == "json")
-    std::cout << answer.dump(2) << '\n';
+    std::cout << ordered_json{{"study", arguments.id}, {"cases", cases}}.dump(2) << '\n';
   else if (arguments.format == "csv")
-    std::cout << as_csv(full_table(answer["cases"]));
+    std::cout << as_csv(full_table(cases));
   else
-    std::cout << as_text(summary_table(client.get(path_of(arguments)), answer["cases"]));
+    std::cout << as_text(summary_table(client.get(path_of(arguments)), cases));
   return kExitDone;
 }
 
@@ -66,9 +66,16 @@ int print_phase_diagram(const StudyArguments& arguments) {
   return kExitDone;
 }
 
-int cancel_study(const StudyArguments& arguments) {
-  const ordered_json study = Client(arguments.server).post(path_of(arguments, "/cancel"), "");
+int change_study(const StudyArguments& arguments, const std::string& change, const std::string& body) {
+  const ordered_json study = Client(arguments.server).post(path_of(arguments, "/" + change), body);
   std::cout << progress_text(study) << '\n';
+  return kExitDone;
+}
+
+int explain_case(const StudyArguments& arguments) {
+  const ordered_json answer = Client(arguments.server).get("/v1/cases/" + arguments.id + "/why");
+  std::cout << answer["state"].get<std::string>() << '\n';
+  for (const ordered_json& reason : answer["reasons"]) std::cout << "  " << reason.get<std::string>() << '\n';
   return kExitDone;
 }
 

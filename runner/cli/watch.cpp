@@ -22,8 +22,7 @@ int exit_code_of(const ordered_json& cases) {
 void report_failures(Client& client, const std::string& study_id, std::ostream& out) {
   for (const char* state : {"failed", "diverged"}) {
     const std::string path = "/v1/studies/" + study_id + "/cases?state=" + state;
-    const ordered_json answer = client.get(path);
-    for (const ordered_json& shown : answer["cases"])
+    for (const ordered_json& shown : client.get_all(path, "cases"))
       out << "case " << shown["id"].get<std::string>() << ' ' << state << ": "
           << shown["message"].get<std::string>() << '\n';
   }

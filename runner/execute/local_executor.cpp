@@ -2,14 +2,18 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include "runner/execute/exit_code.hpp"
@@ -23,15 +27,39 @@ void check(int code, const std::string& operation) {
   if (code != 0) throw std::system_error(code, std::generic_category(), operation);
 }
 
-/// Nothing to read, all output into the log, and no other descriptor: above all no client's connection.
+/// The right to work in a run directory. A process that is started inherits it, and the kernel takes it back
+/// when the last process that has it ends: no record of ours can be wrong about that, whoever was killed
+/// when.
+class DirectoryLock {
+ public:
+  explicit DirectoryLock(const RunDirectory& directory)
+      : descriptor_(open(directory.lock_file().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+    if (descriptor_ < 0)
+      throw std::system_error(errno, std::generic_category(),
+                              "cannot open " + directory.lock_file().string());
+  }
+  ~DirectoryLock() { close(descriptor_); }
+  DirectoryLock(const DirectoryLock&) = delete;
+  DirectoryLock& operator=(const DirectoryLock&) = delete;
+
+  bool take() { return flock(descriptor_, LOCK_EX | LOCK_NB) == 0; }
+  int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+/// Nothing to read, all output into the log, the lock, and no other descriptor: above all no client's
+/// connection.
 class FileActions {
  public:
-  explicit FileActions(const std::filesystem::path& log) {
+  FileActions(const std::filesystem::path& log, int lock) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, 1, log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
     posix_spawn_file_actions_adddup2(&actions_, 1, 2);
-    posix_spawn_file_actions_addclosefrom_np(&actions_, 3);
+    posix_spawn_file_actions_adddup2(&actions_, lock, 3);
+    posix_spawn_file_actions_addclosefrom_np(&actions_, 4);
   }
   ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
   FileActions(const FileActions&) = delete;
@@ -104,11 +132,13 @@ std::string describe(const RunEnd& end) {
 LocalExecutor::LocalExecutor(std::filesystem::path program) : program_(std::move(program)) {}
 
 RunHandle LocalExecutor::start(const RunDirectory& directory) {
+  DirectoryLock lock(directory);
+  if (!lock.take()) check(EBUSY, "an earlier process still works in " + directory.path().string());
   std::vector<std::string> words = {"capstan", "solve", directory.case_file(), "--out", directory.path()};
   std::vector<std::string> environment = worker_environment();
   pid_t pid = 0;
-  check(posix_spawn(&pid, program_.c_str(), FileActions(directory.log_file()).get(), Attributes().get(),
-                    pointers(words).data(), pointers(environment).data()),
+  check(posix_spawn(&pid, program_.c_str(), FileActions(directory.log_file(), lock.descriptor()).get(),
+                    Attributes().get(), pointers(words).data(), pointers(environment).data()),
         "cannot start " + program_.string());
   const ProcessIdentity child = identify(pid).value_or(ProcessIdentity{pid, "", ""});
   const RunHandle run = to_text(child);
@@ -128,6 +158,24 @@ std::optional<RunEnd> LocalExecutor::poll(const RunHandle& run) {
   if (ended == 0) return std::nullopt;
   children_.erase(child);
   return ended > 0 ? end_of(status) : RunEnd{};
+}
+
+std::optional<RunUsage> LocalExecutor::usage(const RunHandle& run) {
+  const auto process = process_from_text(run);
+  const auto used = process ? usage_of(*process) : std::nullopt;
+  if (!used) return std::nullopt;
+  return RunUsage{used->cpu_seconds, used->resident_mb};
+}
+
+bool LocalExecutor::wait_until_free(const RunDirectory& directory) {
+  if (!std::filesystem::exists(directory.path())) return true;
+  constexpr std::chrono::milliseconds kStep{5}, kLongest{5000};
+  DirectoryLock lock(directory);
+  for (std::chrono::milliseconds waited{0}; waited < kLongest; waited += kStep) {
+    if (lock.take()) return true;
+    std::this_thread::sleep_for(kStep);
+  }
+  return false;
 }
 
 void LocalExecutor::cancel(const RunHandle& run, Stop stop) {

@@ -18,7 +18,9 @@ class LocalExecutor : public Executor {
 
   RunHandle start(const RunDirectory& directory) override;
   std::optional<RunEnd> poll(const RunHandle& run) override;
+  std::optional<RunUsage> usage(const RunHandle& run) override;
   void cancel(const RunHandle& run, Stop stop) override;
+  bool wait_until_free(const RunDirectory& directory) override;
 
  private:
   std::filesystem::path program_;

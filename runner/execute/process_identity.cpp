@@ -6,7 +6,9 @@
 
 #include <charconv>
 #include <fstream>
+#include <iterator>
 #include <sstream>
+#include <vector>
 
 namespace capstan {
 namespace {
@@ -17,19 +19,34 @@ std::string boot_id() {
   return id;
 }
 
+/// The fields of /proc/PID/stat (proc(5)) from the third on, so that field N stands at N - 3; nothing if the
+/// process is gone or has ended.
+std::vector<std::string> stat_fields(pid_t pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+  std::string line;
+  if (!std::getline(file, line)) return {};
+  std::istringstream stream(
+      line.substr(line.rfind(')') + 1));  // the name in front may hold spaces and brackets
+  std::vector<std::string> fields{std::istream_iterator<std::string>(stream), {}};
+  const bool has_ended = fields.size() < 22 || fields[0] == "Z" || fields[0] == "X";
+  return has_ended ? std::vector<std::string>() : fields;
+}
+
 }  // namespace
 
 std::optional<ProcessIdentity> identify(pid_t pid) {
-  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
-  std::string line;
-  if (!std::getline(file, line)) return std::nullopt;
-  std::istringstream fields(
-      line.substr(line.rfind(')') + 1));  // the name in front may hold spaces and brackets
-  std::string field, state;
-  fields >> state;
-  for (int number = 4; number <= 22; ++number) fields >> field;
-  if (state == "Z" || state == "X") return std::nullopt;
-  return ProcessIdentity{pid, field, boot_id()};
+  const std::vector<std::string> fields = stat_fields(pid);
+  if (fields.empty()) return std::nullopt;
+  return ProcessIdentity{pid, fields[22 - 3], boot_id()};
+}
+
+std::optional<ProcessUsage> usage_of(const ProcessIdentity& process) {
+  const std::vector<std::string> fields = stat_fields(process.pid);
+  if (fields.empty() || fields[22 - 3] != process.start_time) return std::nullopt;
+  const double ticks = std::stod(fields[14 - 3]) + std::stod(fields[15 - 3]);
+  const double pages = std::stod(fields[24 - 3]);
+  return ProcessUsage{ticks / static_cast<double>(sysconf(_SC_CLK_TCK)),
+                      pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6};
 }
 
 std::string to_text(const ProcessIdentity& process) {

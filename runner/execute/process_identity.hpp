@@ -18,6 +18,13 @@ struct ProcessIdentity {
 /// Nothing if there is no such process, or if it has ended and waits to be reaped.
 std::optional<ProcessIdentity> identify(pid_t pid);
 
+struct ProcessUsage {
+  double cpu_seconds = 0;
+  double resident_mb = 0;
+};
+
+std::optional<ProcessUsage> usage_of(const ProcessIdentity& process);
+
 /// Stored as "PID:START:BOOT".
 std::string to_text(const ProcessIdentity& process);
 std::optional<ProcessIdentity> process_from_text(const std::string& text);

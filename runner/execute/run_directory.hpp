@@ -16,6 +16,7 @@ class RunDirectory {
   std::filesystem::path history_file() const { return path_ / "history.jsonl"; }
   std::filesystem::path result_file() const { return path_ / "result.json"; }
   std::filesystem::path log_file() const { return path_ / "log"; }
+  std::filesystem::path lock_file() const { return path_ / "lock"; }
 
   /// Makes the directory and the case file, if they are not there yet.
   void prepare(const std::string& case_document) const;

@@ -13,9 +13,36 @@ namespace {
   throw DatabaseError("database " + std::string(name ? name : "") + ": " + operation + ": " + why);
 }
 
+std::size_t format_of(Database& database) {
+  Statement version = database.query("PRAGMA user_version");
+  version.step();
+  return static_cast<std::size_t>(version.integer(0));
+}
+
 }  // namespace
 
-Statement::Statement(sqlite3* connection, std::string_view sql) : connection_(connection) {
+IdleStatements::~IdleStatements() {
+  for (const auto& [sql, statement] : idle_) sqlite3_finalize(statement);
+}
+
+sqlite3_stmt* IdleStatements::take(std::string_view sql) {
+  const auto found = idle_.find(sql);
+  if (found == idle_.end()) return nullptr;
+  sqlite3_stmt* statement = found->second;
+  idle_.erase(found);
+  return statement;
+}
+
+void IdleStatements::give_back(sqlite3_stmt* statement) {
+  sqlite3_reset(statement);
+  sqlite3_clear_bindings(statement);
+  const char* sql = sqlite3_sql(statement);
+  if (!sql || !idle_.emplace(sql, statement).second) sqlite3_finalize(statement);
+}
+
+Statement::Statement(sqlite3* connection, std::shared_ptr<IdleStatements> idle, std::string_view sql)
+    : connection_(connection), statement_(idle->take(sql), GiveBack{idle}) {
+  if (statement_) return;
   sqlite3_stmt* statement = nullptr;
   const int code =
       sqlite3_prepare_v2(connection, sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
@@ -77,19 +104,20 @@ Database::Database(const std::filesystem::path& file, Access access) {
 /// An answered submission must survive a power failure: FULL syncs the log at every commit.
 void Database::prepare_for_writing() {
   execute_script("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
-  Statement version = query("PRAGMA user_version");
-  version.step();
-  const std::int64_t found = version.integer(0);
-  if (found == 0) return create_tables();
-  if (found != kQueueSchemaVersion)
-    throw DatabaseError("the database has format " + std::to_string(found) + ", this program reads format " +
-                        std::to_string(kQueueSchemaVersion));
+  bring_to_present_format();
 }
 
-void Database::create_tables() {
+void Database::bring_to_present_format() {
   Transaction transaction(*this);
-  execute_script(kQueueSchema);
-  execute_script(("PRAGMA user_version = " + std::to_string(kQueueSchemaVersion)).c_str());
+  const auto formats = queue_formats();
+  const std::size_t found = format_of(*this);
+  if (found > formats.size())
+    throw DatabaseError("the database has format " + std::to_string(found) + ", this program reads format " +
+                        std::to_string(formats.size()));
+  if (found == formats.size()) return;
+  for (std::size_t format = found; format < formats.size(); ++format) execute_script(formats[format]);
+  execute_script(kRecount);
+  execute_script(("PRAGMA user_version = " + std::to_string(formats.size())).c_str());
   transaction.commit();
 }
 

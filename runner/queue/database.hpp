@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -20,10 +21,22 @@ class DatabaseError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Statements that were compiled before and wait for their next use, by their SQL: compiling costs more than
+/// running.
+class IdleStatements {
+ public:
+  ~IdleStatements();
+  sqlite3_stmt* take(std::string_view sql);  ///< nullptr if there is none
+  void give_back(sqlite3_stmt* statement);
+
+ private:
+  std::map<std::string, sqlite3_stmt*, std::less<>> idle_;
+};
+
 /// One SQL statement with its values bound; rows come one by one.
 class Statement {
  public:
-  Statement(sqlite3* connection, std::string_view sql);
+  Statement(sqlite3* connection, std::shared_ptr<IdleStatements> idle, std::string_view sql);
 
   /// Binds parameter ?1, ?2, … in the order of the arguments.
   template <class... Values>
@@ -52,11 +65,12 @@ class Statement {
  private:
   void check(int code) const;
 
-  struct Finalize {
-    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+  struct GiveBack {
+    std::shared_ptr<IdleStatements> idle;
+    void operator()(sqlite3_stmt* statement) const { idle->give_back(statement); }
   };
   sqlite3* connection_;
-  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+  std::unique_ptr<sqlite3_stmt, GiveBack> statement_;
 };
 
 /// One connection. There is one writer a process, and it is not shared between threads without a lock;
@@ -65,12 +79,13 @@ class Database {
  public:
   enum class Access { write, read };
 
-  /// A writer makes the database and its tables if they are not there.
+  /// A writer makes the database and its tables if they are not there, and brings an older format to the
+  /// present one. Throws DatabaseError for a later one.
   Database(const std::filesystem::path& file, Access access);
 
   template <class... Values>
   Statement query(std::string_view sql, const Values&... values) {
-    Statement statement(connection_.get(), sql);
+    Statement statement(connection_.get(), idle_, sql);
     statement.bind_all(values...);
     return statement;
   }
@@ -89,12 +104,13 @@ class Database {
 
  private:
   void prepare_for_writing();
-  void create_tables();
+  void bring_to_present_format();
 
   struct Close {
     void operator()(sqlite3* connection) const { sqlite3_close_v2(connection); }
   };
   std::unique_ptr<sqlite3, Close> connection_;
+  std::shared_ptr<IdleStatements> idle_ = std::make_shared<IdleStatements>();
 };
 
 /// All or nothing. Inside another transaction it is a part of that one, and undone with it.

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <random>
 
+#include "runner/queue/fail_point.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {
@@ -45,10 +46,11 @@ Claim read_claim(const Statement& row) {
 
 }  // namespace
 
-Submission JobQueue::submit(const Study& study) {
+Submission JobQueue::submit(const Study& study, const std::string& key) {
   const std::string document = study.document.dump();
   const std::string hash = sha256_hex(document);
   Transaction transaction(database_);
+  if (!key.empty()) remember(key, hash);
   Statement known = database_.query("SELECT id FROM studies WHERE document_hash = ?", hash);
   Submission submission;
   submission.is_new = !known.step();
@@ -62,7 +64,9 @@ Submission JobQueue::submit(const Study& study) {
   else
     database_.execute("UPDATE studies SET cancelled_at = NULL WHERE id = ?", submission.study_id);
   add_cases(submission.study_id, study);
+  fail_point("submitting");
   transaction.commit();
+  fail_point("submitted");
   return submission;
 }
 
@@ -76,18 +80,27 @@ std::string JobQueue::study_id_for(const Study& study, const std::string& hash) 
   }
 }
 
+void JobQueue::remember(const std::string& key, const std::string& document_hash) {
+  database_.execute("INSERT INTO idempotency_keys VALUES (?, ?, ?) ON CONFLICT DO NOTHING", key,
+                    document_hash, clock_.now());
+  Statement row = database_.query("SELECT document_hash FROM idempotency_keys WHERE key = ?", key);
+  if (!row.step() || row.text(0) != document_hash)
+    throw KeyReused("the key \"" + key + "\" came with another study before");
+}
+
 void JobQueue::add_cases(const std::string& study_id, const Study& study) {
   int position = 0;
   for (const Case& c : study.cases) {
     const std::string id = case_id(c);
     database_.execute("INSERT INTO cases (id, document) VALUES (?, ?) ON CONFLICT (id) DO NOTHING", id,
                       to_json(c).dump());
-    database_.execute("UPDATE cases SET state = 'queued', message = '' WHERE id = ? AND state = 'cancelled'",
-                      id);
-    database_.execute("UPDATE cases SET cancel_requested = 0 WHERE id = ?", id);
     database_.execute("INSERT INTO study_cases VALUES (?, ?, ?) ON CONFLICT DO NOTHING", study_id, position++,
                       id);
   }
+  const std::string wanted = " AND id IN (SELECT case_id FROM study_cases WHERE study_id = ?)";
+  database_.execute("UPDATE cases SET state = 'queued', message = '' WHERE state = 'cancelled'" + wanted,
+                    study_id);
+  database_.execute("UPDATE cases SET cancel_requested = 0 WHERE cancel_requested = 1" + wanted, study_id);
 }
 
 bool JobQueue::cancel(const std::string& study_id) {
@@ -108,20 +121,46 @@ bool JobQueue::cancel(const std::string& study_id) {
   return true;
 }
 
+bool JobQueue::set_priority(const std::string& study_id, int priority) {
+  return database_.execute("UPDATE schedule SET priority = ? WHERE study_id = ?", priority, study_id) > 0;
+}
+
+bool JobQueue::pause(const std::string& study_id, bool is_paused) {
+  return database_.execute("UPDATE schedule SET is_paused = ? WHERE study_id = ?", is_paused ? 1 : 0,
+                           study_id) > 0;
+}
+
+bool JobQueue::retry(const std::string& study_id) {
+  if (!database_.query("SELECT 1 FROM studies WHERE id = ?", study_id).step()) return false;
+  database_.execute(
+      "UPDATE cases SET state = 'queued', crashes = 0, not_before = 0, message = 'to be tried again'"
+      " WHERE state = 'failed' AND id IN (SELECT case_id FROM study_cases WHERE study_id = ?)",
+      study_id);
+  return true;
+}
+
 std::optional<Claim> JobQueue::claim() {
   Transaction transaction(database_);
   const Time now = clock_.now();
+  Statement turn = database_.query(
+      "SELECT s.number, w.case_id FROM schedule s JOIN waiting w ON w.study_number = s.number"
+      " WHERE s.queued > 0 AND s.is_paused = 0 AND w.not_before <= ?"
+      " ORDER BY s.priority DESC, s.served, s.number, w.position LIMIT 1",
+      now);
+  if (!turn.step()) return std::nullopt;
   Statement row = database_.query(
-      "UPDATE cases SET state = 'running', message = '', attempt = attempt + 1, token = ?1, lease_until = ?2"
-      " WHERE number = (SELECT number FROM cases WHERE state = 'queued' ORDER BY number LIMIT 1)"
-      " RETURNING id, document, token, attempt, ''",
-      new_token(), Time(now + kLease));
-  if (!row.step()) return std::nullopt;
+      "UPDATE cases SET state = 'running', message = '', attempt = attempt + 1, token = ?, lease_until = ?"
+      " WHERE id = ? RETURNING id, document, token, attempt, ''",
+      new_token(), Time(now + kLease), turn.text(1));
+  row.step();
   const Claim claim = read_claim(row);
   row.step();
+  database_.execute("UPDATE schedule SET served = 1 + (SELECT max(served) FROM schedule) WHERE number = ?",
+                    turn.integer(0));
   database_.execute("INSERT INTO attempts (case_id, attempt, started_at) VALUES (?, ?, ?)", claim.case_id,
                     claim.attempt, now);
   transaction.commit();
+  fail_point("claimed");
   return claim;
 }
 
@@ -176,11 +215,11 @@ bool JobQueue::crashed(const Claim& claim, const std::string& reason) {
   Transaction transaction(database_);
   if (!end_attempt(claim, "crashed", reason)) return false;
   database_.execute(
-      "UPDATE cases SET crashes = crashes + 1, message = ?1, cancel_requested = 0,"
+      "UPDATE cases SET crashes = crashes + 1, message = ?1, cancel_requested = 0, not_before = ?4,"
       " state = CASE WHEN cancel_requested THEN 'cancelled' WHEN crashes + 1 < ?2 THEN 'queued' ELSE "
       "'failed' END"
       " WHERE id = ?3",
-      reason, kMostCrashes, claim.case_id);
+      reason, kMostCrashes, claim.case_id, Time(clock_.now() + kBackOff));
   transaction.commit();
   return true;
 }

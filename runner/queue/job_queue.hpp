@@ -2,12 +2,14 @@
 // The queue's whole vocabulary. A case is executed at least once and its result is recorded exactly once:
 //
 //   queued ──claim──▶ running ──finish──▶ done | failed | diverged
-//     ▲                  │
-//     └─────give back────┘   interrupted, lease expired, crashed (a second crash: failed)
+//     ▲ ▲                │                          │
+//     │ └────give back───┘                          │   interrupted, lease expired, crashed (a second crash:
+//     failed) └──────────retry──────────────────────────────┘   failed ones only
 //
 // A cancelled study's cases end as cancelled, unless another study wants them.
 #include <chrono>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,23 +36,38 @@ struct Claim {
   std::string handle;  ///< the executor's name of the run, once it has started
 };
 
+/// A client sent two different studies under one key.
+class KeyReused : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
 class JobQueue {
  public:
   static constexpr std::chrono::seconds kLease{60};
   static constexpr std::chrono::seconds kHeartbeat{10};  ///< a sixth of the lease
   static constexpr int kMostCrashes = 2;
+  static constexpr std::chrono::seconds kBackOff{5};  ///< between a crash and the next attempt
 
   /// \param database  the writer; whoever shares the queue between threads locks
   JobQueue(Database& database, const Clock& clock) : database_(database), clock_(clock) {}
 
   /// Equal cases are one case, and the same study again is the same study: its cancelled cases are queued
   /// again.
-  Submission submit(const Study& study);
+  /// \param key  by which the client knows this submission, or ""; throws KeyReused if it knew another study
+  /// by it
+  Submission submit(const Study& study, const std::string& key = "");
 
   /// False if there is no such study. Queued cases are cancelled at once, running ones marked for it.
   bool cancel(const std::string& study_id);
 
-  /// The case that has waited longest, if one waits.
+  // The following return false if there is no such study.
+  bool set_priority(const std::string& study_id, int priority);  ///< the higher, the sooner; 0 at first
+  bool pause(const std::string& study_id, bool is_paused);       ///< what runs goes on, nothing is started
+  bool retry(const std::string& study_id);                       ///< queues its failed cases again
+
+  /// The next case of the study whose turn it is: of the highest priority, and there of the one served
+  /// longest ago.
   std::optional<Claim> claim();
 
   /// Remembers how the executor names the run.
@@ -73,6 +90,7 @@ class JobQueue {
 
  private:
   std::string study_id_for(const Study& study, const std::string& hash);
+  void remember(const std::string& key, const std::string& document_hash);
   void add_cases(const std::string& study_id, const Study& study);
   bool end_attempt(const Claim& claim, std::string_view ending, const std::string& reason);
 

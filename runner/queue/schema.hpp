@@ -1,12 +1,14 @@
 #pragma once
-// The database's tables.
+// The database's tables, and how they came to be.
+#include <span>
 
 namespace capstan {
 
-/// The text of schema/queue.sql.
-extern const char* const kQueueSchema;
+/// SQL that leads from format N - 1 to format N, at index N - 1 (schema/queue_N.sql). A new database runs
+/// through all of them, an older one through those that it lacks; its format is its user_version.
+std::span<const char* const> queue_formats();
 
-/// Stored as the database's user_version; a database of another version is refused.
-inline constexpr int kQueueSchemaVersion = 1;
+/// Makes the sums agree with what they sum up (schema/recount.sql).
+extern const char* const kRecount;
 
 }  // namespace capstan

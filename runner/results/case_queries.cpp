@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include "runner/results/history.hpp"
 #include "runner/results/queries.hpp"
@@ -12,9 +13,9 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* kColumns =
-    "SELECT c.id, c.state, c.message, c.document, c.kt, c.attempt, c.crashes, r.motion, r.document FROM "
-    "cases c"
-    " LEFT JOIN results r ON r.case_id = c.id ";
+    "SELECT c.id, c.state, c.message, c.document, c.kt, c.attempt, c.crashes, r.motion, r.document";
+constexpr const char* kTables = " FROM cases c LEFT JOIN results r ON r.case_id = c.id ";
+constexpr int kPosition = 9;  // after the columns, where a study is asked for
 
 bool is_ended(const std::string& state) { return state != "queued" && state != "running"; }
 
@@ -114,22 +115,47 @@ Issues check_filter(const CaseFilter& filter) {
   return issues;
 }
 
-ordered_json find_cases(Database& database, const std::string& study_id, const CaseFilter& filter) {
-  std::string sql = std::string(kColumns) + "JOIN study_cases s ON s.case_id = c.id WHERE s.study_id = ?";
+Page find_cases(Database& database, const std::string& study_id, const CaseFilter& filter,
+                const PageRequest& wanted) {
+  // CROSS JOIN keeps the order of the tables: along the study, so that a page costs what it holds.
+  std::string sql = std::string(kColumns) +
+                    ", s.position FROM study_cases s CROSS JOIN cases c ON c.id = s.case_id"
+                    " LEFT JOIN results r ON r.case_id = c.id WHERE s.study_id = ? AND s.position > ?";
   for (const auto& [key, value] : filter) sql += condition_on(key, value);
-  Statement row = database.query(sql + " ORDER BY s.position", study_id);
-  int index = 2;
+  Statement row = database.query(sql + " ORDER BY s.position LIMIT " + std::to_string(wanted.limit + 1),
+                                 study_id, wanted.after.value_or(-1));
+  int index = 3;
   for (const auto& [key, value] : filter) {
     bind_condition(row, index, value);
     index += 2;
   }
-  ordered_json cases = ordered_json::array();
-  while (row.step()) cases.push_back(case_of(row));
-  return cases;
+  Page page{ordered_json::array(), std::nullopt};
+  for (std::int64_t last = 0; row.step(); last = row.integer(kPosition)) {
+    if (std::ssize(page.items) == wanted.limit) {
+      page.next = last;
+      break;
+    }
+    page.items.push_back(case_of(row));
+  }
+  return page;
+}
+
+ordered_json find_points(Database& database, const std::string& study_id) {
+  ordered_json points = ordered_json::array();
+  Statement row = database.query(
+      "SELECT c.id, c.state, r.motion, c.document FROM study_cases s JOIN cases c ON c.id = s.case_id"
+      " LEFT JOIN results r ON r.case_id = c.id WHERE s.study_id = ? ORDER BY s.position",
+      study_id);
+  while (row.step())
+    points.push_back({{"id", row.text(0)},
+                      {"state", row.text(1)},
+                      {"motion", row.is_null(2) ? ordered_json() : ordered_json(row.text(2))},
+                      {"parameters", ordered_json::parse(row.text(3))}});
+  return points;
 }
 
 std::optional<ordered_json> find_case(Database& database, const std::string& case_id) {
-  Statement row = database.query(std::string(kColumns) + "WHERE c.id = ?", case_id);
+  Statement row = database.query(std::string(kColumns) + kTables + "WHERE c.id = ?", case_id);
   if (!row.step()) return std::nullopt;
   ordered_json found = case_of(row);
   found["attempts"] = attempts_of(database, case_id);

@@ -1,5 +1,6 @@
 #pragma once
 // What people and programs ask of the database, as the JSON that answers them.
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -11,8 +12,20 @@
 
 namespace capstan {
 
-/// All studies, the newest first.
-nlohmann::ordered_json list_studies(Database& database);
+/// A part of a list: at most `limit` items, those that come after the item at `after`.
+struct PageRequest {
+  static constexpr int kMost = 1000;
+  int limit = kMost;
+  std::optional<std::int64_t> after;
+};
+
+struct Page {
+  nlohmann::ordered_json items;
+  std::optional<std::int64_t> next;  ///< `after` of the next page, if there is one
+};
+
+/// The studies, the newest first.
+Page list_studies(Database& database, const PageRequest& wanted);
 
 /// One study: its axes, how many cases are in which state and of which motion, and its progress from 0 to 1.
 std::optional<nlohmann::ordered_json> find_study(Database& database, const std::string& study_id);
@@ -25,7 +38,11 @@ using CaseFilter = std::vector<std::pair<std::string, std::string>>;
 Issues check_filter(const CaseFilter& filter);
 
 /// The cases of a study, in the study's order. The filter has been checked.
-nlohmann::ordered_json find_cases(Database& database, const std::string& study_id, const CaseFilter& filter);
+Page find_cases(Database& database, const std::string& study_id, const CaseFilter& filter,
+                const PageRequest& wanted);
+
+/// What a phase diagram needs of all cases of a study: `id`, `state`, `motion`, `parameters`.
+nlohmann::ordered_json find_points(Database& database, const std::string& study_id);
 
 /// One case: parameters, state, motion, evidence and the rest of its result, its attempts and its studies.
 std::optional<nlohmann::ordered_json> find_case(Database& database, const std::string& case_id);

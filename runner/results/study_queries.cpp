@@ -1,4 +1,8 @@
 #include "runner/results/queries.hpp"
+
+#include <iterator>
+#include <limits>
+
 #include "runner/results/timestamp.hpp"
 
 namespace capstan {
@@ -6,43 +10,53 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr const char* kStates[] = {"queued", "running", "done", "failed", "diverged", "cancelled"};
+constexpr const char* kMotions[] = {"tumbling", "tank_treading", "transition", "undecided"};
+
+/// The study's columns; the counts begin at the ninth.
+constexpr const char* kColumns =
+    "SELECT s.id, name, description, submitted_at, cancelled_at, axes, priority, is_paused,"
+    " queued, running, done, failed, diverged, cancelled, tumbling, tank_treading, transition, undecided,"
+    " s.number FROM studies s JOIN schedule USING (number) ";
+constexpr int kFirstCount = 8;
+constexpr int kNumber = 18;
+
 /// Number of the study's cases by state, all states listed.
-ordered_json count_states(Database& database, const std::string& study_id) {
+ordered_json count_states(const Statement& row) {
   ordered_json counts = {{"total", 0}};
-  for (const char* state : {"queued", "running", "done", "failed", "diverged", "cancelled"})
-    counts[state] = 0;
-  Statement row = database.query(
-      "SELECT state, count(*) FROM study_cases JOIN cases ON cases.id = case_id WHERE study_id = ? GROUP BY "
-      "state",
-      study_id);
-  int total = 0;
-  while (row.step()) {
-    counts[row.text(0)] = row.integer(1);
-    total += static_cast<int>(row.integer(1));
+  std::int64_t total = 0;
+  int column = kFirstCount;
+  for (const char* state : kStates) {
+    counts[state] = row.integer(column);
+    total += row.integer(column++);
   }
   counts["total"] = total;
   return counts;
 }
 
-ordered_json count_motions(Database& database, const std::string& study_id) {
-  ordered_json counts = {{"tumbling", 0}, {"tank_treading", 0}, {"transition", 0}, {"undecided", 0}};
-  Statement row = database.query(
-      "SELECT motion, count(*) FROM study_cases JOIN results USING (case_id)"
-      " WHERE study_id = ? AND motion IS NOT NULL GROUP BY motion",
-      study_id);
-  while (row.step()) counts[row.text(0)] = row.integer(1);
+ordered_json count_motions(const Statement& row) {
+  ordered_json counts;
+  int column = kFirstCount + static_cast<int>(std::size(kStates));
+  for (const char* motion : kMotions) counts[motion] = row.integer(column++);
   return counts;
 }
 
-/// The mean over the cases of the share of shear time that each has behind it.
-double progress(Database& database, const std::string& study_id) {
+/// The shear time behind the cases that have begun and not ended, as a share of each.
+double begun(Database& database, const std::string& study_id) {
   Statement row = database.query(
-      "SELECT avg(CASE WHEN state IN ('queued', 'running')"
-      " THEN min(1, kt / json_extract(document, '$.until.kt')) ELSE 1 END)"
-      " FROM study_cases JOIN cases ON cases.id = case_id WHERE study_id = ?",
+      "SELECT total(min(1, kt / json_extract(document, '$.until.kt'))) FROM cases c INDEXED BY cases_begun"
+      " WHERE kt > 0 AND state IN ('queued', 'running')"
+      " AND EXISTS (SELECT 1 FROM study_cases w WHERE w.case_id = c.id AND w.study_id = ?)",
       study_id);
   row.step();
   return row.real(0);
+}
+
+/// The mean over the cases of the share of shear time that each has behind it.
+double progress(Database& database, const std::string& study_id, const ordered_json& counts) {
+  const double total = counts["total"];
+  const double open = counts["queued"].get<double>() + counts["running"].get<double>();
+  return (total - open + begun(database, study_id)) / total;
 }
 
 ordered_json study_of(Database& database, const Statement& row) {
@@ -50,27 +64,34 @@ ordered_json study_of(Database& database, const Statement& row) {
   ordered_json study = {{"id", id}, {"name", row.text(1)}, {"description", row.text(2)}};
   study["submitted_at"] = timestamp(row.integer(3));
   study["cancelled"] = !row.is_null(4);
+  study["paused"] = row.integer(7) != 0;
+  study["priority"] = row.integer(6);
   study["axes"] = ordered_json::parse(row.text(5));
-  study["cases"] = count_states(database, id);
-  study["motions"] = count_motions(database, id);
-  study["progress"] = progress(database, id);
+  study["cases"] = count_states(row);
+  study["motions"] = count_motions(row);
+  study["progress"] = progress(database, id, study["cases"]);
   return study;
 }
 
-constexpr const char* kColumns =
-    "SELECT id, name, description, submitted_at, cancelled_at, axes FROM studies ";
-
 }  // namespace
 
-ordered_json list_studies(Database& database) {
-  ordered_json studies = ordered_json::array();
-  Statement row = database.query(std::string(kColumns) + "ORDER BY number DESC");
-  while (row.step()) studies.push_back(study_of(database, row));
-  return studies;
+Page list_studies(Database& database, const PageRequest& wanted) {
+  Page page{ordered_json::array(), std::nullopt};
+  Statement row =
+      database.query(std::string(kColumns) + "WHERE s.number < ? ORDER BY s.number DESC LIMIT ?",
+                     wanted.after.value_or(std::numeric_limits<std::int64_t>::max()), wanted.limit + 1);
+  for (std::int64_t last = 0; row.step(); last = row.integer(kNumber)) {
+    if (std::ssize(page.items) == wanted.limit) {
+      page.next = last;
+      break;
+    }
+    page.items.push_back(study_of(database, row));
+  }
+  return page;
 }
 
 std::optional<ordered_json> find_study(Database& database, const std::string& study_id) {
-  Statement row = database.query(std::string(kColumns) + "WHERE id = ?", study_id);
+  Statement row = database.query(std::string(kColumns) + "WHERE s.id = ?", study_id);
   if (!row.step()) return std::nullopt;
   return study_of(database, row);
 }

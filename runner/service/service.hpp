@@ -18,6 +18,13 @@
 
 namespace capstan {
 
+/// What one case may take; 0: as much as it wants. A case that goes beyond has failed: the same again would,
+/// too.
+struct Limits {
+  double memory_mb = 0;
+  std::chrono::seconds wall_time{0};  ///< of one attempt
+};
+
 class Service {
  public:
   /// A run that was asked to stop and has not after this time is killed.
@@ -25,14 +32,20 @@ class Service {
 
   /// Takes over what an earlier daemon left: its runs are ended, recorded if they are complete, and queued if
   /// not.
-  Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores);
+  Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores, Limits limits = {});
 
   // From any thread:
-  Submission submit(const Study& study);
-  bool cancel(const std::string& study_id);  ///< false if there is no such study
-  Database reader() const;                   ///< sees one moment, as long as it lives
+  Database reader() const;  ///< sees one moment, as long as it lives
+  /// \param key  of an Idempotency-Key, or ""; throws KeyReused if it came with another study before
+  Submission submit(const Study& study, const std::string& key = "");
+  // False if there is no such study.
+  bool cancel(const std::string& study_id);
+  bool set_priority(const std::string& study_id, int priority);
+  bool pause(const std::string& study_id, bool is_paused);
+  bool retry(const std::string& study_id);
 
   const DataDirectory& data() const { return data_; }
+  std::size_t cores() const { return cores_; }
 
   /// Called after a change that the loop should look at soon.
   void on_change(std::function<void()> callback) { changed_ = std::move(callback); }
@@ -49,16 +62,24 @@ class Service {
     Claim claim;
     HistoryTail history;
     Time renewed;
-    std::optional<Time> stop_asked;
-    std::optional<RunEnd> end;
+    Time started;
+    double cpu_seconds = 0;  ///< when the lease was renewed
+    std::optional<Time> stop_asked = {};
+    std::optional<RunEnd> end = {};
     bool is_killed = false;
+    std::string beyond = {};  ///< the limit that it went beyond
+    bool stood_still = false;
     bool is_recorded = false;
   };
 
+  bool write(const std::function<bool()>& change);
   void take_over();
   bool start_next();
   void look_after(Run& run);
   void follow_history(Run& run);
+  void keep_lease(Run& run);
+  void hold_to_limits(Run& run);
+  Outcome outcome_of_run(const Run& run) const;
   void ask_to_stop(Run& run);
   void kill(Run& run);
   void record(const Claim& claim, const Outcome& outcome);
@@ -68,6 +89,7 @@ class Service {
   Executor& executor_;
   const Clock& clock_;
   const std::size_t cores_;
+  const Limits limits_;
   std::function<void()> changed_ = [] {};
 
   std::mutex writing_;  ///< guards database_ and queue_

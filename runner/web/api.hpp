@@ -11,6 +11,9 @@ namespace capstan {
 using Handler = Response (*)(Service& service, const Request& request, const std::string& id);
 
 Response get_health(Service& service, const Request& request, const std::string& id);
+Response get_readiness(Service& service, const Request& request, const std::string& id);
+Response get_metrics(Service& service, const Request& request, const std::string& id);
+Response get_openapi(Service& service, const Request& request, const std::string& id);
 
 Response post_study(Service& service, const Request& request, const std::string& id);
 Response get_studies(Service& service, const Request& request, const std::string& id);
@@ -18,8 +21,13 @@ Response get_study(Service& service, const Request& request, const std::string& 
 Response get_study_cases(Service& service, const Request& request, const std::string& id);
 Response get_phase_diagram(Service& service, const Request& request, const std::string& id);
 Response cancel_study(Service& service, const Request& request, const std::string& id);
+Response pause_study(Service& service, const Request& request, const std::string& id);
+Response resume_study(Service& service, const Request& request, const std::string& id);
+Response retry_study(Service& service, const Request& request, const std::string& id);
+Response set_priority(Service& service, const Request& request, const std::string& id);
 
 Response get_case(Service& service, const Request& request, const std::string& id);
+Response get_case_why(Service& service, const Request& request, const std::string& id);
 Response get_case_history(Service& service, const Request& request, const std::string& id);
 
 }  // namespace capstan

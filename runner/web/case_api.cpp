@@ -1,5 +1,6 @@
 #include "runner/results/export.hpp"
 #include "runner/results/queries.hpp"
+#include "runner/results/why.hpp"
 #include "runner/web/api.hpp"
 
 namespace capstan {
@@ -23,6 +24,12 @@ Response get_case(Service& service, const Request&, const std::string& id) {
   const std::string self = "/v1/cases/" + id;
   (*found)["links"] = {{"self", self}, {"history", self + "/history"}};
   return json_response(200, *found);
+}
+
+Response get_case_why(Service& service, const Request&, const std::string& id) {
+  Database database = service.reader();
+  const auto reasons = why(database, id, service.cores());
+  return reasons ? json_response(200, *reasons) : no_such_case(id);
 }
 
 Response get_case_history(Service& service, const Request& request, const std::string& id) {

@@ -1,11 +1,16 @@
 #include <unistd.h>
 
+#include <filesystem>
+
+#include "runner/results/metrics.hpp"
 #include "runner/web/api.hpp"
+#include "runner/web/openapi.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {
 
-/// Says that this is Capstan, so that scripts can tell who holds the port, whose data it serves, and how to end it.
+/// Says that this is Capstan, so that scripts can tell who holds the port, whose data it serves, and how to
+/// end it.
 Response get_health(Service& service, const Request&, const std::string&) {
   return json_response(200, {{"status", "ok"},
                              {"program", "capstan"},
@@ -13,6 +18,27 @@ Response get_health(Service& service, const Request&, const std::string&) {
                              {"numerics_version", kNumericsVersion},
                              {"data", service.data().path().string()},
                              {"pid", getpid()}});
+}
+
+/// 503 when a submission could not be kept: the database cannot be read, or its disk is almost full.
+Response get_readiness(Service& service, const Request&, const std::string&) try {
+  constexpr std::uintmax_t kLeast = 100'000'000;  // bytes
+  Database database = service.reader();
+  database.query("SELECT 1 FROM schedule").step();
+  const std::uintmax_t free = std::filesystem::space(service.data().path()).available;
+  if (free < kLeast) return problem(503, "Not ready", "less than 100 MB are free in the data directory");
+  return json_response(200, {{"status", "ready"}, {"free_bytes", free}});
+} catch (const std::exception& error) {
+  return problem(503, "Not ready", error.what());
+}
+
+Response get_metrics(Service& service, const Request&, const std::string&) {
+  Database database = service.reader();
+  return {200, "text/plain; version=0.0.4", metrics_text(database, service.cores()), {}};
+}
+
+Response get_openapi(Service&, const Request&, const std::string&) {
+  return {200, "application/yaml", kOpenApi, {}};
 }
 
 }  // namespace capstan

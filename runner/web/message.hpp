@@ -16,6 +16,8 @@ struct Request {
   std::vector<std::pair<std::string, std::string>> query;
   std::string accept;  ///< the header of that name
   std::string body;
+  std::string idempotency_key = {};  ///< the header of that name
+  std::string if_none_match = {};    ///< the header of that name
 };
 
 struct Response {

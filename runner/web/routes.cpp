@@ -3,18 +3,28 @@
 #include <iostream>
 #include <optional>
 
+#include "solver/case/content_id.hpp"
+
 namespace capstan {
 namespace {
 
 constexpr Route kRoutes[] = {
     {"GET", "/healthz", get_health},
+    {"GET", "/readyz", get_readiness},
+    {"GET", "/metrics", get_metrics},
+    {"GET", "/openapi.yaml", get_openapi},
     {"POST", "/v1/studies", post_study},
     {"GET", "/v1/studies", get_studies},
     {"GET", "/v1/studies/{id}", get_study},
     {"GET", "/v1/studies/{id}/cases", get_study_cases},
     {"GET", "/v1/studies/{id}/phase-diagram", get_phase_diagram},
     {"POST", "/v1/studies/{id}/cancel", cancel_study},
+    {"POST", "/v1/studies/{id}/pause", pause_study},
+    {"POST", "/v1/studies/{id}/resume", resume_study},
+    {"POST", "/v1/studies/{id}/retry", retry_study},
+    {"POST", "/v1/studies/{id}/priority", set_priority},
     {"GET", "/v1/cases/{id}", get_case},
+    {"GET", "/v1/cases/{id}/why", get_case_why},
     {"GET", "/v1/cases/{id}/history", get_case_history},
 };
 
@@ -36,6 +46,15 @@ Response not_allowed(const std::string& allowed) {
   return response;
 }
 
+/// A strong tag: equal tags, equal bytes. Who has those already is told so.
+Response tagged(Response response, const Request& request) {
+  if (request.method != "GET" || response.status != 200) return response;
+  const std::string tag = '"' + sha256_hex(response.body).substr(0, 32) + '"';
+  if (request.if_none_match == tag) response = {304, response.content_type, "", response.headers};
+  response.headers["ETag"] = tag;
+  return response;
+}
+
 }  // namespace
 
 std::span<const Route> routes() { return kRoutes; }
@@ -45,11 +64,13 @@ Response respond(Service& service, const Request& request) try {
   for (const Route& route : kRoutes) {
     const auto id = match(route.path, request.path);
     if (!id) continue;
-    if (route.method == request.method) return route.handler(service, request, *id);
+    if (route.method == request.method) return tagged(route.handler(service, request, *id), request);
     allowed += (allowed.empty() ? "" : ", ") + std::string(route.method);
   }
   return allowed.empty() ? problem(404, "Not found", "there is nothing at " + request.path)
                          : not_allowed(allowed);
+} catch (const KeyReused& reuse) {
+  return problem(422, "Idempotency key reused", reuse.what());
 } catch (const std::exception& error) {
   std::clog << "capstan: " << request.method << ' ' << request.path << ": " << error.what() << std::endl;
   return problem(500, "Internal error", error.what());

@@ -19,8 +19,9 @@ void send(httplib::Response& out, const Response& response) {
 }
 
 Request received(const httplib::Request& in) {
-  Request request{
-      in.method == "HEAD" ? "GET" : in.method, in.path, {}, in.get_header_value("Accept"), in.body};
+  Request request{in.method == "HEAD" ? "GET" : in.method, in.path, {},
+                  in.get_header_value("Accept"),           in.body, in.get_header_value("Idempotency-Key"),
+                  in.get_header_value("If-None-Match")};
   request.query.assign(in.params.begin(), in.params.end());
   return request;
 }

@@ -2,6 +2,7 @@
 #include "runner/results/queries.hpp"
 #include "runner/study/study.hpp"
 #include "runner/web/api.hpp"
+#include "runner/web/page_query.hpp"
 
 namespace capstan {
 namespace {
@@ -28,7 +29,7 @@ Response post_study(Service& service, const Request& request, const std::string&
     return problem(422, "Invalid study",
                    count + (count == "1" ? " fault" : " faults") + ", nothing was queued", parsed.issues);
   }
-  const Submission submission = service.submit(*parsed.value);
+  const Submission submission = service.submit(*parsed.value, request.idempotency_key);
   Database database = service.reader();
   const ordered_json study = with_links(*find_study(database, submission.study_id));
   Response response = json_response(submission.is_new ? 201 : 200, study);
@@ -36,11 +37,14 @@ Response post_study(Service& service, const Request& request, const std::string&
   return response;
 }
 
-Response get_studies(Service& service, const Request&, const std::string&) {
+Response get_studies(Service& service, const Request& request, const std::string&) {
+  const PageQuery page = read_page_query(request.query);
+  if (!page.issues.empty()) return problem(400, "Invalid page", "the query names no page", page.issues);
   Database database = service.reader();
+  const Page found = list_studies(database, page.wanted);
   ordered_json studies = ordered_json::array();
-  for (ordered_json& study : list_studies(database)) studies.push_back(with_links(std::move(study)));
-  return json_response(200, {{"studies", studies}});
+  for (const ordered_json& study : found.items) studies.push_back(with_links(study));
+  return json_response(200, with_next({{"studies", studies}}, found));
 }
 
 Response get_study(Service& service, const Request&, const std::string& id) {
@@ -50,25 +54,51 @@ Response get_study(Service& service, const Request&, const std::string& id) {
 }
 
 Response get_study_cases(Service& service, const Request& request, const std::string& id) {
-  const Issues issues = check_filter(request.query);
-  if (!issues.empty()) return problem(400, "Invalid filter", "the query does not select cases", issues);
+  PageQuery page = read_page_query(request.query);
+  for (Issue& issue : check_filter(page.rest)) page.issues.push_back(std::move(issue));
+  if (!page.issues.empty())
+    return problem(400, "Invalid filter", "the query does not select cases", page.issues);
   Database database = service.reader();
   if (!find_study(database, id)) return no_such_study(id);
-  return json_response(200, {{"study", id}, {"cases", find_cases(database, id, request.query)}});
+  const Page found = find_cases(database, id, page.rest, page.wanted);
+  return json_response(200, with_next({{"study", id}, {"cases", found.items}}, found));
 }
 
 Response get_phase_diagram(Service& service, const Request& request, const std::string& id) {
   Database database = service.reader();
   const auto study = find_study(database, id);
   if (!study) return no_such_study(id);
-  const auto diagram = phase_diagram(*study, find_cases(database, id, {}), query_value(request, "x"),
-                                     query_value(request, "y"));
+  const auto diagram =
+      phase_diagram(*study, find_points(database, id), query_value(request, "x"), query_value(request, "y"));
   if (!diagram) return problem(404, "Not found", "the study has no such axes to draw a phase diagram over");
   return json_response(200, to_json(*diagram));
 }
 
 Response cancel_study(Service& service, const Request& request, const std::string& id) {
   return service.cancel(id) ? get_study(service, request, id) : no_such_study(id);
+}
+
+Response pause_study(Service& service, const Request& request, const std::string& id) {
+  return service.pause(id, true) ? get_study(service, request, id) : no_such_study(id);
+}
+
+Response resume_study(Service& service, const Request& request, const std::string& id) {
+  return service.pause(id, false) ? get_study(service, request, id) : no_such_study(id);
+}
+
+Response retry_study(Service& service, const Request& request, const std::string& id) {
+  return service.retry(id) ? get_study(service, request, id) : no_such_study(id);
+}
+
+Response set_priority(Service& service, const Request& request, const std::string& id) {
+  constexpr int kMost = 100;
+  const ParsedJson parsed = parse_json(request.body);
+  const bool is_object = parsed.value && parsed.value->is_object() && parsed.value->contains("priority");
+  const nlohmann::json given = is_object ? (*parsed.value)["priority"] : nlohmann::json();
+  if (!given.is_number_integer() || given < -kMost || given > kMost)
+    return problem(422, "Invalid priority", "send {\"priority\": N}",
+                   {{"/priority", "must be a whole number from -100 to 100"}});
+  return service.set_priority(id, given) ? get_study(service, request, id) : no_such_study(id);
 }
 
 }  // namespace capstan

@@ -22,6 +22,13 @@ class FakeExecutor : public Executor {
     return end == ends_.end() ? std::nullopt : std::optional(end->second);
   }
 
+  /// Computes all the time, unless a test says that it stands still.
+  std::optional<RunUsage> usage(const RunHandle&) override {
+    if (!is_stopped) usage_.cpu_seconds += 1;
+    return usage_;
+  }
+  bool wait_until_free(const RunDirectory&) override { return true; }
+
   void cancel(const RunHandle& run, Stop stop) override {
     (stop == Stop::kill ? killed : asked_to_stop).push_back(run);
     if (stop == Stop::kill) end(run, {RunEnd::How::signalled, 9});
@@ -33,13 +40,17 @@ class FakeExecutor : public Executor {
   }
   void exit(const RunHandle& run, int code) { end(run, {RunEnd::How::exited, code}); }
 
+  void take_memory(double mb) { usage_.memory_mb = mb; }
+
   bool is_broken = false;
+  bool is_stopped = false;
   std::vector<RunHandle> running;  ///< in the order of their start
   std::vector<RunHandle> asked_to_stop, killed;
   std::map<RunHandle, RunDirectory> directories;
 
  private:
   int count_ = 0;
+  RunUsage usage_;
   std::map<RunHandle, RunEnd> ends_;
 };
 

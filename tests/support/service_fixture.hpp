@@ -19,7 +19,7 @@ class ServiceFixture : public testing::Test {
   /// What a daemon does that was killed and is started again.
   void restart() {
     service_.reset();
-    service_ = std::make_unique<Service>(data_, executor_, clock_, 2);
+    service_ = std::make_unique<Service>(data_, executor_, clock_, 2, limits_);
   }
 
   /// The run of that number, counted from its start, leaves these files.
@@ -39,13 +39,14 @@ class ServiceFixture : public testing::Test {
   }
   nlohmann::ordered_json cases(const std::string& id, const CaseFilter& filter = {}) {
     Database reader = service_->reader();
-    return find_cases(reader, id, filter);
+    return find_cases(reader, id, filter, {}).items;
   }
 
   TemporaryDirectory directory_;
   DataDirectory data_{directory_.path()};
   FakeExecutor executor_;
   FakeClock clock_;
+  Limits limits_;
   std::unique_ptr<Service> service_ = std::make_unique<Service>(data_, executor_, clock_, 2);
 };
 

@@ -3,6 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "runner/queue/job_queue.hpp"
+#include "runner/queue/schema.hpp"
+#include "runner/results/queries.hpp"
 
 #include "tests/support/temporary_directory.hpp"
 
@@ -81,6 +87,48 @@ TEST_F(DatabaseTest, ReopenedDatabaseKeepsItsContent) {
 TEST_F(DatabaseTest, FormatOfALaterProgramIsRefused) {
   database_.execute_script("PRAGMA user_version = 99");
   EXPECT_THROW(Database(file_, Database::Access::write), DatabaseError);
+}
+
+/// tests/reference/queue_format_1.sql is what a daemon of that format left when it was killed.
+TEST(OldDatabase, IsBroughtToThePresentFormatWithAllItHolds) {
+  const TemporaryDirectory directory;
+  const std::filesystem::path file = directory.path() / "old.sqlite";
+  std::ifstream dump(CAPSTAN_SOURCE_DIR "/tests/reference/queue_format_1.sql");
+  const std::string sql{std::istreambuf_iterator<char>(dump), {}};
+  sqlite3* old = nullptr;
+  sqlite3_open(file.c_str(), &old);
+  EXPECT_EQ(sqlite3_exec(old, (sql + "PRAGMA user_version = 1;").c_str(), nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(old);
+
+  Database database(file, Database::Access::write);
+  const nlohmann::ordered_json kept = find_study(database, "kept-8a8f").value();
+  EXPECT_EQ(kept["cases"]["done"], 2);
+  EXPECT_EQ(kept["cases"]["failed"], 4);
+  EXPECT_EQ(kept["cases"]["diverged"], 2);
+  EXPECT_EQ(kept["motions"]["tumbling"], 1);
+  const nlohmann::ordered_json other = find_study(database, "other-58cb").value();
+  EXPECT_EQ(other["cases"]["queued"], 2);
+  EXPECT_EQ(other["cases"]["running"], 2);
+  EXPECT_EQ(find_study(database, "dropped-78c0").value()["cases"]["cancelled"], 2);
+  SystemClock clock;
+  JobQueue queue(database, clock);
+  EXPECT_EQ(queue.running().size(), 2u);
+  EXPECT_TRUE(queue.claim());
+}
+
+TEST_F(DatabaseTest, OldDatabaseAndNewOneHaveTheSameTables) {
+  const std::filesystem::path file = directory_.path() / "old.sqlite";
+  sqlite3* old = nullptr;
+  sqlite3_open(file.c_str(), &old);
+  sqlite3_exec(old, queue_formats()[0], nullptr, nullptr, nullptr);
+  sqlite3_exec(old, "PRAGMA user_version = 1", nullptr, nullptr, nullptr);
+  sqlite3_close(old);
+  Database migrated(file, Database::Access::write);
+  Statement was = migrated.query("SELECT group_concat(sql) FROM sqlite_schema");
+  Statement is = database_.query("SELECT group_concat(sql) FROM sqlite_schema");
+  was.step(), is.step();
+  EXPECT_EQ(was.text(0), is.text(0));
 }
 
 TEST_F(DatabaseTest, ErrorNamesTheFileAndTheOperation) {

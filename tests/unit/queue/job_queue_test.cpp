@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "runner/queue/schema.hpp"
+#include "runner/results/result.hpp"
 #include "tests/support/fake_clock.hpp"
 #include "tests/support/sample_studies.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -133,6 +137,7 @@ TEST_F(JobQueueTest, SecondCrashFailsTheCaseAndKeepsTheReason) {
   const auto claim = queue_.claim();
   queue_.crashed(*claim, "killed by signal 9");
   EXPECT_EQ(state_of(claim->case_id), "queued");
+  clock_.advance(JobQueue::kBackOff);
   queue_.crashed(*queue_.claim(), "killed by signal 11");
   EXPECT_EQ(state_of(claim->case_id), "failed");
   EXPECT_EQ(message_of(claim->case_id), "killed by signal 11");
@@ -190,6 +195,107 @@ TEST_F(JobQueueTest, RunningClaimsAreFoundAgainWithTheirHandles) {
   EXPECT_EQ(found[0].case_id, claim->case_id);
   EXPECT_EQ(found[0].token, claim->token);
   EXPECT_EQ(found[0].handle, "process 42");
+}
+
+TEST_F(JobQueueTest, CrashedCaseIsNotTriedAgainAtOnceAndHoldsNobodyUp) {
+  queue_.submit(two_cases_);
+  const auto crashed = queue_.claim();
+  queue_.crashed(*crashed, "killed by signal 9");
+  const auto other = queue_.claim();
+  ASSERT_TRUE(other);
+  EXPECT_NE(other->case_id, crashed->case_id);
+  EXPECT_FALSE(queue_.claim());
+  clock_.advance(JobQueue::kBackOff);
+  EXPECT_EQ(queue_.claim()->case_id, crashed->case_id);
+}
+
+TEST_F(JobQueueTest, StudiesOfOnePriorityTakeTurns) {
+  queue_.submit(sample_study("first", {{"Ca", {0.1, 0.2, 0.3}}}));
+  queue_.submit(sample_study("second", {{"Ca", {0.4, 0.5}}}));
+  std::vector<double> order;
+  while (const auto claim = queue_.claim()) order.push_back(nlohmann::json::parse(claim->document)["Ca"]);
+  EXPECT_THAT(order, testing::ElementsAre(0.1, 0.4, 0.2, 0.5, 0.3));
+}
+
+TEST_F(JobQueueTest, HigherPriorityGoesFirst) {
+  queue_.submit(sample_study("first", {{"Ca", {0.1}}}));
+  EXPECT_TRUE(queue_.set_priority(queue_.submit(sample_study("urgent", {{"Ca", {0.4}}})).study_id, 1));
+  EXPECT_EQ(nlohmann::json::parse(queue_.claim()->document)["Ca"], 0.4);
+  EXPECT_FALSE(queue_.set_priority("nobody-0000", 1));
+}
+
+TEST_F(JobQueueTest, PausedStudyStartsNothingUnlessAnotherWantsIt) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  EXPECT_TRUE(queue_.pause(id, true));
+  EXPECT_FALSE(queue_.claim());
+  queue_.submit(sample_study("other", {{"Ca", {0.75}}}));
+  EXPECT_EQ(nlohmann::json::parse(queue_.claim()->document)["Ca"], 0.75);
+  EXPECT_FALSE(queue_.claim());
+  queue_.pause(id, false);
+  EXPECT_EQ(nlohmann::json::parse(queue_.claim()->document)["Ca"], 0.25);
+}
+
+TEST_F(JobQueueTest, RetryQueuesTheFailedCasesAlone) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  const auto failed = queue_.claim();
+  queue_.finish(*failed, Ending::failed, "no memory");
+  queue_.finish(*queue_.claim(), Ending::diverged, "it tore");
+  EXPECT_TRUE(queue_.retry(id));
+  EXPECT_EQ(queue_.claim()->case_id, failed->case_id);
+  EXPECT_FALSE(queue_.claim());
+  EXPECT_FALSE(queue_.retry("nobody-0000"));
+}
+
+TEST_F(JobQueueTest, KeyStandsForOneStudy) {
+  const std::string id = queue_.submit(two_cases_, "key").study_id;
+  EXPECT_EQ(queue_.submit(two_cases_, "key").study_id, id);
+  EXPECT_THROW(queue_.submit(sample_study("other", {{"Ca", {1}}}), "key"), KeyReused);
+  EXPECT_EQ(count("studies"), 1);
+}
+
+/// Any history of commands leaves the sums as a new count would make them.
+TEST_F(JobQueueTest, KeptSumsAreThoseOfACountAfterAnyHistory) {
+  const auto sums = [&] {
+    std::string all;
+    for (const char* sql :
+         {"SELECT group_concat(study_id || ' ' || queued || ' ' || running || ' ' || done || ' ' || failed "
+          "|| ' ' ||"
+          " diverged || ' ' || cancelled || ' ' || tumbling || ' ' || undecided, ', ') FROM schedule",
+          "SELECT group_concat(study_number || ' ' || position || ' ' || case_id || ' ' || not_before, ', ')"
+          " FROM waiting"}) {
+      Statement row = database_.query(sql);
+      row.step();
+      all += row.text(0) + "; ";
+    }
+    return all;
+  };
+  std::mt19937 random(1);
+  std::vector<Claim> running;
+  std::vector<Study> studies;
+  for (double first : {0.1, 0.2, 0.3})
+    studies.push_back(sample_study("s", {{"Ca", {first, first + 0.1, first + 0.2}}}));
+  for (int step = 0; step < 400; ++step) {
+    const Study& study = studies[random() % studies.size()];
+    const unsigned choice = random() % 8;
+    if (choice == 0) queue_.submit(study);
+    if (choice == 1) queue_.cancel(queue_.submit(study).study_id);
+    if (choice == 2) queue_.retry(queue_.submit(study).study_id);
+    if (choice == 3 || choice == 4)
+      if (const auto claim = queue_.claim()) running.push_back(*claim);
+    if (choice > 4 && !running.empty()) {
+      const Claim claim = running.back();
+      running.pop_back();
+      if (choice == 5) queue_.finish(claim, random() % 2 ? Ending::failed : Ending::done, "");
+      if (choice == 6) queue_.crashed(claim, "it died");
+      if (choice == 7) queue_.interrupted(claim, "power cut");
+      if (choice == 5)
+        store_result(database_, claim.case_id, {{"motion", random() % 2 ? "tumbling" : "undecided"}});
+    }
+    clock_.advance(1s);
+    const std::string kept = sums();
+    database_.execute_script(kRecount);
+    ASSERT_EQ(kept, sums()) << "after step " << step;
+  }
 }
 
 }  // namespace

@@ -95,6 +95,9 @@ TEST_F(ServiceTest, CrashIsTriedOnceMore) {
   const std::string id = submit({{"Ca", {0.25}}});
   executor_.end("run 1", {RunEnd::How::signalled, 11});
   service_->tick();
+  EXPECT_THAT(executor_.running, IsEmpty());
+  clock_.advance(JobQueue::kBackOff);
+  service_->tick();
   EXPECT_THAT(executor_.running, ElementsAre("run 2"));
   executor_.end("run 2", {RunEnd::How::signalled, 11});
   service_->tick();
@@ -158,6 +161,49 @@ TEST_F(ServiceTest, SuccessorRecordsARunThatCompletedMeanwhile) {
 TEST_F(ServiceTest, SleepOfTheMachineCostsNoRun) {
   const std::string id = submit({{"Ca", {0.25}}});
   clock_.advance(12h);
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["attempt"], 1);
+  EXPECT_THAT(executor_.running, ElementsAre("run 1"));
+}
+
+TEST_F(ServiceTest, RunThatStandsStillLosesItsLeaseAndIsKilled) {
+  const std::string id = submit({{"Ca", {0.25}}});
+  executor_.is_stopped = true;
+  for (int beat = 0; beat < 6; ++beat) {
+    clock_.advance(JobQueue::kHeartbeat);
+    service_->tick();
+  }
+  EXPECT_THAT(executor_.killed, ElementsAre("run 1"));
+  EXPECT_EQ(cases(id)[0]["crashes"], 1);
+  EXPECT_EQ(cases(id)[0]["state"], "queued");
+}
+
+TEST_F(ServiceTest, CaseThatTakesTooMuchMemoryFailsAndSaysHowMuch) {
+  limits_.memory_mb = 100;
+  restart();
+  const std::string id = submit({{"Ca", {0.25}}});
+  executor_.take_memory(200);
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "failed");
+  EXPECT_EQ(cases(id)[0]["message"], "it took 200 MB of memory; the limit is 100");
+}
+
+TEST_F(ServiceTest, CaseThatTakesTooLongFails) {
+  limits_.wall_time = 1h;
+  restart();
+  const std::string id = submit({{"Ca", {0.25}}});
+  clock_.advance(1h + 1s);
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "failed");
+  EXPECT_EQ(cases(id)[0]["message"], "it took longer than the limit of 3600 s");
+  EXPECT_EQ(cases(id)[0]["crashes"], 0);
+}
+
+TEST_F(ServiceTest, ClockThatJumpsBackCostsNoRun) {
+  const std::string id = submit({{"Ca", {0.25}}});
+  clock_.advance(-12h);
+  service_->tick();
+  clock_.advance(12h + JobQueue::kHeartbeat);
   service_->tick();
   EXPECT_EQ(cases(id)[0]["attempt"], 1);
   EXPECT_THAT(executor_.running, ElementsAre("run 1"));

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cctype>
 #include <set>
+#include <sstream>
 
 #include "runner/web/routes.hpp"
 #include "tests/support/service_fixture.hpp"
@@ -135,6 +138,94 @@ TEST_F(ApiTest, StudyIsCancelled) {
   EXPECT_EQ(study["cancelled"], true);
   service_->tick();
   EXPECT_EQ(executor_.asked_to_stop.size(), 1u);
+}
+
+TEST_F(ApiTest, RoutesAreExactlyThoseOfTheDocument) {
+  std::istringstream document(get("/openapi.yaml").body);
+  std::set<std::string> described, served;
+  std::string path;
+  for (std::string line; std::getline(document, line);) {
+    if (line.starts_with("  /")) path = line.substr(2, line.size() - 3);
+    if (line.starts_with("components:")) path = "";
+    for (const char* method : {"GET", "POST", "PUT", "DELETE", "PATCH"}) {
+      std::string key = "    " + std::string(method) + ":";
+      std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::tolower(c); });
+      if (!path.empty() && line.starts_with(key)) described.insert(method + (" " + path));
+    }
+  }
+  for (const Route& route : routes())
+    served.insert(std::string(route.method) + " " + std::string(route.path));
+  EXPECT_EQ(described, served);
+}
+
+TEST_F(ApiTest, ListsComeInPages) {
+  const std::string id =
+      json(ask("POST", "/v1/studies", study_document("a", {{"Ca", {1, 2, 3}}}).dump()))["id"];
+  const std::string path = "/v1/studies/" + id + "/cases";
+  const ordered_json first = json(get(path, {{"limit", "2"}}));
+  EXPECT_THAT(first["cases"], SizeIs(2));
+  const ordered_json second = json(get(path, {{"limit", "2"}, {"after", first["next"]}}));
+  EXPECT_THAT(second["cases"], SizeIs(1));
+  EXPECT_EQ(second["cases"][0]["parameters"]["Ca"], 3);
+  EXPECT_TRUE(second["next"].is_null());
+  EXPECT_EQ(get(path, {{"limit", "0"}}).status, 400);
+  EXPECT_EQ(get(path, {{"after", "x"}}).status, 400);
+  ask("POST", "/v1/studies", study_document("b", {{"Ca", {1}}}).dump());
+  const ordered_json newest = json(get("/v1/studies", {{"limit", "1"}}));
+  EXPECT_EQ(newest["studies"][0]["name"], "b");
+  EXPECT_EQ(json(get("/v1/studies", {{"after", newest["next"]}}))["studies"][0]["name"], "a");
+}
+
+TEST_F(ApiTest, UnchangedAnswerIsNotSentAgain) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one();
+  const Response first = get(path);
+  Request again{"GET", path, {}, "", ""};
+  again.if_none_match = first.headers.at("ETag");
+  EXPECT_EQ(respond(*service_, again).status, 304);
+  ask("POST", path + "/pause");
+  EXPECT_EQ(respond(*service_, again).status, 200);
+}
+
+TEST_F(ApiTest, KeyThatCameWithAnotherStudyIsRefused) {
+  Request request{"POST", "/v1/studies", {}, "", study_document("a", {{"Ca", {1}}}).dump()};
+  request.idempotency_key = "once";
+  EXPECT_EQ(respond(*service_, request).status, 201);
+  EXPECT_EQ(respond(*service_, request).status, 200);
+  request.body = study_document("b", {{"Ca", {1}}}).dump();
+  EXPECT_EQ(respond(*service_, request).status, 422);
+}
+
+TEST_F(ApiTest, OperatorPausesRetriesAndRanksAStudy) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one();
+  EXPECT_EQ(json(ask("POST", path + "/pause"))["paused"], true);
+  EXPECT_EQ(json(ask("POST", path + "/resume"))["paused"], false);
+  EXPECT_EQ(ask("POST", path + "/retry").status, 200);
+  EXPECT_EQ(json(ask("POST", path + "/priority", R"({"priority": 7})"))["priority"], 7);
+  for (const char* bad : {"", "7", "{}", R"({"priority": 1.5})", R"({"priority": 101})"})
+    EXPECT_EQ(ask("POST", path + "/priority", bad).status, 422) << bad;
+}
+
+TEST_F(ApiTest, WhyNamesWhatACaseWaitsFor) {
+  const std::string document = study_document("w", {{"Ca", {1, 2, 3}}}).dump();
+  const std::string id = json(ask("POST", "/v1/studies", document))["id"];
+  service_->tick();
+  const ordered_json found = json(get("/v1/studies/" + id + "/cases"))["cases"];
+  const auto why = [&](int index) {
+    return json(get("/v1/cases/" + found[index]["id"].get<std::string>() + "/why"))["reasons"].dump();
+  };
+  EXPECT_THAT(why(0), HasSubstr("it runs since"));
+  EXPECT_THAT(
+      why(2),
+      HasSubstr("0 cases are before it, 0 other studies take turns or go first, and 2 cases run on 2"));
+  ask("POST", "/v1/studies/" + id + "/pause");
+  EXPECT_THAT(why(2), HasSubstr("is paused"));
+}
+
+TEST_F(ApiTest, MetricsCountCasesByState) {
+  submit_and_complete_one();
+  EXPECT_THAT(get("/metrics").body, HasSubstr("capstan_cases{state=\"done\"} 1\n"));
+  EXPECT_THAT(get("/metrics").body, HasSubstr("capstan_attempts_total{ending=\"open\"} 1\n"));
+  EXPECT_EQ(get("/readyz").status, 200);
 }
 
 TEST_F(ApiTest, WhatIsNotThereIsNotFound) {

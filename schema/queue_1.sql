@@ -1,9 +1,8 @@
 -- The daemon's database: what was asked for, how far it is, and what came of it.
 -- Times are milliseconds since 1970, UTC. The daemon is the only writer.
 --
---   queued ──claim──▶ running ──▶ done | failed | diverged | cancelled
---     ▲                  │
---     └── interrupted, crashed once, lease expired
+-- schema/life_cycle.md draws the states. This is format 1; queue_2.sql adds to it.
+-- A new database runs through both, an old one through what it lacks.
 
 CREATE TABLE studies (
   number        INTEGER PRIMARY KEY,   -- order of submission

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace capstan {
+
+/// The text of schema/openapi.yaml.
+extern const char* const kOpenApi;
+
+}  // namespace capstan
