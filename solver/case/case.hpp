@@ -66,6 +66,10 @@ struct Case {
   bool has_bending() const { return E_b > 0; }
   bool has_viscosity_contrast() const { return V != 1; }
   bool has_grid() const { return fluid != Fluid::stokes; }
+  /// The quasi-steady flow on a composite of grids, not the paper's own scheme.
+  bool has_composite_grid() const { return fluid == Fluid::quasisteady && fidelity.scheme == Scheme::tuned; }
+  /// A model that can solve for a quarter of the flow.
+  bool can_use_symmetry() const { return !has_grid() || has_composite_grid(); }
   bool operator==(const Case&) const = default;
 };
 

@@ -49,4 +49,8 @@ std::string_view word(Scheme scheme) { return scheme == Scheme::tuned ? "tuned" 
 
 std::string_view word(Stepper stepper) { return stepper == Stepper::adams_bashforth ? "ab2" : "rkc2"; }
 
+std::string_view word(Symmetry symmetry) { return symmetry == Symmetry::automatic ? "auto" : "none"; }
+
+std::string_view word(Precision precision) { return precision == Precision::single ? "float" : "double"; }
+
 }  // namespace capstan

@@ -10,7 +10,7 @@ namespace capstan {
 
 /// How the quasi-steady lattice flow is solved.
 enum class Scheme {
-  tuned,  ///< free numerical parameters chosen for convergence; stops on an estimate of the error
+  tuned,  ///< a fine grid around the capsule only, free parameters chosen for convergence; stops on an estimate of the error
   paper,  ///< lattice viscosity 0.04, rates 1.8, gamma 0.8, stops on the change of velocity (eq. 26)
 };
 
@@ -20,6 +20,12 @@ enum class Stepper {
   runge_kutta_chebyshev,  ///< "rkc2": second order, steps after their error, as many flows as stability asks for
 };
 
+/// Whether the symmetry of a capsule that starts in the plane of shear is made use of: a quarter of the flow is solved for.
+enum class Symmetry { automatic, none };
+
+/// Of the numbers on the grids of the scheme tuned; forces, positions and observables are always double.
+enum class Precision { single, twofold };
+
 struct Fidelity {
   double dx = 0.1;          ///< lattice spacing / a
   double box = 12.8;        ///< edge of the cubic domain / a
@@ -28,6 +34,8 @@ struct Fidelity {
   double kdt = 0.02;        ///< time step k*dt of the membrane; 0 where the stepper chooses
   double tolerance = 1e-4;  ///< relative error of the membrane velocity (scheme tuned) or eq. 26 (paper)
   Scheme scheme = Scheme::tuned;
+  Symmetry symmetry = Symmetry::automatic;
+  Precision precision = Precision::single;
   bool operator==(const Fidelity&) const = default;
 };
 
@@ -52,5 +60,7 @@ std::optional<int> icosphere_subdivisions(int nodes);
 
 std::string_view word(Scheme scheme);
 std::string_view word(Stepper stepper);
+std::string_view word(Symmetry symmetry);
+std::string_view word(Precision precision);
 
 }  // namespace capstan

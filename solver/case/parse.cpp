@@ -231,12 +231,17 @@ void read_knobs(ObjectReader& knobs, const Case& c, Fidelity& fidelity) {
   if (!icosphere_subdivisions(fidelity.nodes))
     knobs.fault("nodes", "must be 12, 42, 162, 642, 2562, 10242 or 40962 (a subdivided icosahedron)");
   knobs.choice("scheme", fidelity.scheme, std::array{Scheme::tuned, Scheme::paper});
+  knobs.choice("symmetry", fidelity.symmetry, std::array{Symmetry::automatic, Symmetry::none});
+  knobs.choice("precision", fidelity.precision, std::array{Precision::single, Precision::twofold});
   knobs.choice("stepper", fidelity.stepper, std::array{Stepper::adams_bashforth, Stepper::runge_kutta_chebyshev});
   knobs.number("tolerance", fidelity.tolerance, {1e-12, 0.1});
   for (const char* key : {"scheme", "stepper", "tolerance", "kdt"})
     knobs.without_effect(key, c.fluid != Fluid::transient, "the transient flow's time step is set by the lattice");
   for (const char* key : {"dx", "box", "scheme"})
     knobs.without_effect(key, c.has_grid(), "boundary integrals have no grid");
+  const bool is_composite = c.fluid == Fluid::quasisteady && fidelity.scheme == Scheme::tuned;
+  knobs.without_effect("symmetry", is_composite || !c.has_grid(), "this flow is always solved for as a whole");
+  knobs.without_effect("precision", is_composite, "only the quasi-steady flow's tuned scheme has a choice");
   knobs.without_effect("kdt", fidelity.stepper == Stepper::adams_bashforth, "rkc2 chooses its steps by their error");
 }
 
@@ -245,11 +250,22 @@ double default_kdt(const Case& c) {
   return c.has_grid() ? default_kdt(c.fidelity, c.Ca, c.C) : default_stokes_kdt(c.fidelity.nodes, c.Ca);
 }
 
-void check_grid(ObjectReader& reader, const Fidelity& fidelity) {
+/// Halved until it is small or its half is odd.
+long coarsest(long cells) {
+  while (cells > 8 && cells % 4 == 0) cells /= 2;
+  return cells;
+}
+
+void check_grid(ObjectReader& reader, const Case& c) {
+  constexpr long kMostOfCoarsest = 24;
+  const Fidelity& fidelity = c.fidelity;
   const double cells = fidelity.box / fidelity.dx;
   if (std::abs(cells - std::round(cells)) > 1e-9 * cells || std::lround(cells) % 8 != 0)
     reader.fault("fidelity", "box/dx is " + shown(cells) + ", must be a multiple of 8 so that the grid can be coarsened");
-  else if (cells > 512)
+  else if (c.has_composite_grid() && coarsest(std::lround(cells)) > kMostOfCoarsest)
+    reader.fault("fidelity", "box/dx is " + shown(cells) + ", which cannot be halved until 24 or less are left; try " +
+                                 shown(std::exp2(std::round(std::log2(cells)))));
+  else if (!c.has_composite_grid() && cells > 512)
     reader.fault("fidelity", "box/dx is " + shown(cells) + ", more than the 512 cells an edge that fit into memory");
 }
 
@@ -269,7 +285,7 @@ void read_fidelity(ObjectReader& reader, Case& c) {
     knobs->number("kdt", fidelity.kdt, {0, 1, true});
     knobs->finish();
   }
-  if (c.has_grid()) check_grid(reader, fidelity);
+  if (c.has_grid()) check_grid(reader, c);
 }
 
 }  // namespace

@@ -38,7 +38,13 @@ Orbits Orbits::of(const Points& positions) {
       else image.signs = 0.5 * (image.signs + signs);  // its own image twice: only what agrees is possible
     }
   }
+  orbits.count_sizes();
   return orbits;
+}
+
+void Orbits::count_sizes() {
+  sizes_.assign(representatives_.size(), 0);
+  for (const Image& image : images_) ++sizes_[image.slot];
 }
 
 Orbits Orbits::without_symmetry(int vertex_count) {
@@ -47,6 +53,7 @@ Orbits Orbits::without_symmetry(int vertex_count) {
     orbits.representatives_.push_back(vertex);
     orbits.images_.push_back({vertex, Vec3::Ones()});
   }
+  orbits.count_sizes();
   return orbits;
 }
 

@@ -18,6 +18,8 @@ class Orbits {
 
   const std::vector<int>& representatives() const { return representatives_; }
   int vertex_count() const { return int(images_.size()); }
+  /// Vertices of one group: 4, or fewer on the mirror or the axis.
+  int size(int representative) const { return sizes_[representative]; }
 
   /// 3 x #representatives to 3 x #V: vectors of the representatives turned onto their images. What a vertex on
   /// the mirror or the axis cannot have (a velocity out of the plane) is set to zero.
@@ -27,12 +29,15 @@ class Orbits {
   Points restrict(const Points& of_vertices) const { return of_vertices(Eigen::all, representatives_); }
 
  private:
+  void count_sizes();
+
   struct Image {
     int slot;    ///< which representative
     Vec3 signs;  ///< +-1 a component, 0 where the vertex is its own image with the other sign
   };
   std::vector<int> representatives_;
   std::vector<Image> images_;  ///< of each vertex
+  std::vector<int> sizes_;     ///< of each group
 };
 
 }  // namespace capstan

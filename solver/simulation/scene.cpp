@@ -1,5 +1,6 @@
 // What a case's scene requires of the solver, and what it does not.
-#include "solver/fluid/lattice/quasisteady_lbm.hpp"
+#include "solver/fluid/composite/composite_lbm.hpp"
+#include "solver/fluid/lattice/paper_lbm.hpp"
 #include "solver/fluid/lattice/transient_lbm.hpp"
 #include "solver/fluid/stokes/stokes_flow.hpp"
 #include "solver/mesh/geometry.hpp"
@@ -8,19 +9,36 @@
 
 namespace capstan {
 
+namespace {
+
+Orbits orbits_of(const Case& c, const Points& initial) {
+  return c.fidelity.symmetry == Symmetry::automatic ? Orbits::of(initial) : Orbits::without_symmetry(int(initial.cols()));
+}
+
+std::unique_ptr<FlowModel> make_quasisteady(const Case& c, const TriangleMesh& mesh, const Points& initial) {
+  if (c.fidelity.scheme == Scheme::paper) return std::make_unique<PaperLbm>(c, mesh);
+  const CompositeOptions options{
+      .dx = c.fidelity.dx, .box = c.fidelity.box, .Re = c.Re, .V = c.V, .tolerance = c.fidelity.tolerance};
+  if (c.fidelity.precision == Precision::twofold)
+    return std::make_unique<CompositeLbm<double>>(mesh, orbits_of(c, initial), options);
+  return std::make_unique<CompositeLbm<float>>(mesh, orbits_of(c, initial), options);
+}
+
+}  // namespace
+
 std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, const Points& initial) {
   switch (c.fluid) {
     case Fluid::transient:
       return std::make_unique<TransientLbm>(c, mesh);
     case Fluid::stokes:
       return std::make_unique<StokesFlow>(
-          mesh, Orbits::of(initial),
+          mesh, orbits_of(c, initial),
           StokesFlow::Options{
               .viscosity_ratio = c.V, .volume = volume(initial, mesh.faces), .tolerance = c.fidelity.tolerance});
     case Fluid::quasisteady:
       break;
   }
-  return std::make_unique<QuasisteadyLbm>(c, mesh);
+  return make_quasisteady(c, mesh, initial);
 }
 
 std::unique_ptr<TimeStepper> make_stepper(const Case& c) {
@@ -33,6 +51,8 @@ std::vector<std::string> left_out(const Case& c) {
   if (!c.has_viscosity_contrast()) parts.push_back("viscosity field: V = 1");
   if (!c.has_bending()) parts.push_back("bending forces: E_b = 0");
   if (c.fluid == Fluid::quasisteady) parts.push_back("time derivative of the flow: quasi-steady");
+  if (c.can_use_symmetry() && c.fidelity.symmetry == Symmetry::automatic)
+    parts.push_back("three quarters of the flow: images of the fourth by the symmetry of the plane of shear");
   if (c.fluid == Fluid::stokes) {
     parts.push_back("inertia of the fluid: Re = 0");
     parts.push_back("walls: the fluid is unbounded");

@@ -28,10 +28,6 @@ struct MrtRates {
 /// viscosity (eq. 16) is not stated in the paper; d'Humieres' s_1 = 1.19 is used.
 inline constexpr MrtRates kPaperRates = {1.19, 1.8, 1.8, 1.8, 1.8, 0, -475.0 / 63, 0};
 
-/// Chosen for the smoothing factor of the multigrid cycle.
-/// Differs from the paper: rates near 1 damp the non-hydrodynamic modes that cap the convergence at rate 1.8.
-inline constexpr MrtRates kTunedRates = {1.35, 0.95, 1.0, 1.05, 1.21, 3, -5.5, -0.5};
-
 /// Rate of the stress moments for a kinematic viscosity in lattice units (eq. 15).
 inline double stress_rate(double nu_lu) { return 1 / (3 * nu_lu + 0.5); }
 

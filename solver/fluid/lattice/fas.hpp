@@ -23,6 +23,7 @@ struct CycleShape {
   int pre = 1;        ///< sweeps before the visit of the coarser level
   int post = 1;       ///< sweeps after it
   int visits = 2;     ///< of the coarser level: 1 is a V-cycle, 2 a W-cycle
+  int once = 1;       ///< so many levels, from the coarsest on, are visited once a visit of the finer one all the same
   int coarsest = 10;  ///< sweeps on the coarsest level
 };
 
@@ -37,7 +38,8 @@ void fas_cycle(std::span<L> levels, const CycleShape& shape) {
   L& coarse = levels[1];
   for (int sweep = 0; sweep < shape.pre; ++sweep) fine.relax();
   fine.restrict_to(coarse);
-  for (int visit = 0; visit < shape.visits; ++visit) fas_cycle(levels.subspan(1), shape);
+  const int visits = int(levels.size()) - 1 <= shape.once ? 1 : shape.visits;
+  for (int visit = 0; visit < visits; ++visit) fas_cycle(levels.subspan(1), shape);
   fine.correct_from(coarse);
   for (int sweep = 0; sweep < shape.post; ++sweep) fine.relax();
 }

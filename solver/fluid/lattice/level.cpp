@@ -163,18 +163,6 @@ void Level::set_couette() {
   }
 }
 
-void Level::extrapolate(PopulationField& previous, double weight) {
-  for (int q = 0; q < kQ; ++q) {
-    const std::span<double> now = f_[q].data(), before = previous[q].data();
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      const double at_this_time = now[i];
-      now[i] += weight * (at_this_time - before[i]);
-      before[i] = at_this_time;
-    }
-  }
-}
-
 void Level::set_viscosity(const ScalarBox& nu_lu) {
   const double ambient = stress_rate(settings_.nu_lu);
   if (s_nu_.empty()) s_nu_ = CellField(extent(), ambient);

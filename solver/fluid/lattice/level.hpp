@@ -40,9 +40,6 @@ class Level {
   /// Couette flow u_x proportional to y, with its viscous stress.
   void set_couette();
 
-  /// f <- f + weight (f - previous), previous <- f: the start of a solution, extrapolated in time.
-  void extrapolate(PopulationField& previous, double weight);
-
   /// Force on the fluid, lattice units; the box stays owned by the caller. Null: no force.
   void set_force(const VectorBox* force) { force_ = force; }
 

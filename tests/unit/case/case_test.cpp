@@ -156,7 +156,26 @@ TEST(ParseCase, StepperThatChoosesItsStepsTakesNone) {
 
 TEST(ParseCase, AGridThatCannotBeCoarsenedOrHeldIsAFault) {
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"dx", 0.11}}}}), ElementsAre("/fidelity"));
-  EXPECT_THAT(only_message({{"Ca", 0.1}, {"fidelity", {{"dx", 0.02}, {"box", 100}}}}), HasSubstr("memory"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"fidelity", {{"dx", 0.02}, {"box", 100}}}}), HasSubstr("try 4096"));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"dx", 0.025}, {"box", 51.2}}}}), IsEmpty());
+  for (const json& all_fine : {json{{"fidelity", {{"scheme", "paper"}, {"dx", 0.02}, {"box", 20.48}}}},
+                               json{{"fluid", "transient"}, {"fidelity", {{"dx", 0.02}, {"box", 20.48}}}}}) {
+    json object = all_fine;
+    object["Ca"] = 0.1;
+    EXPECT_THAT(only_message(object), HasSubstr("memory"));
+  }
+}
+
+TEST(ParseCase, OnlyAFlowThatHasTheChoiceTakesASymmetryOrAPrecision) {
+  const Case c = valid({{"Ca", 0.1}, {"fidelity", {{"symmetry", "none"}, {"precision", "double"}}}});
+  EXPECT_EQ(c.fidelity.symmetry, Symmetry::none);
+  EXPECT_EQ(c.fidelity.precision, Precision::twofold);
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", {{"symmetry", "none"}}}}).fidelity.symmetry,
+            Symmetry::none);
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"scheme", "paper"}, {"precision", "double"}}}}),
+              ElementsAre("/fidelity/precision"));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fluid", "transient"}, {"fidelity", {{"symmetry", "none"}}}}),
+              ElementsAre("/fidelity/symmetry"));
 }
 
 TEST(ParseCase, APresetIsAStartThatKnobsChange) {

@@ -5,8 +5,12 @@
 #include <array>
 #include <random>
 
+#include "tests/support/tuned_rates.hpp"
+
 namespace capstan {
 namespace {
+
+using testing::kTunedRates;
 
 using namespace d3q19;
 using Cell = std::array<double, kQ>;

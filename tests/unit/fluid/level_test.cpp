@@ -6,9 +6,12 @@
 #include <numbers>
 
 #include "tests/support/lattice_scene.hpp"
+#include "tests/support/tuned_rates.hpp"
 
 namespace capstan {
 namespace {
+
+using testing::kTunedRates;
 
 LevelSettings tuned(double nu_lu, double wall_speed) {
   return {.rates = kTunedRates, .nu_lu = nu_lu, .wall_speed = wall_speed, .gamma = 0.8};

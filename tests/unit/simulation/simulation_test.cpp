@@ -98,7 +98,7 @@ TEST(Result, NamesTheModelsThatRanAndWhatWasLeftOut) {
   EXPECT_EQ(plain["stop"], "reached_end");
   EXPECT_EQ(plain["trust"]["fluid"], "quasisteady");
   EXPECT_EQ(plain["trust"]["bending"], "none");
-  EXPECT_EQ(plain["trust"]["left_out"].size(), 3u);
+  EXPECT_EQ(plain["trust"]["left_out"].size(), 4u);
 
   const auto full = result_of(parsed_case(R"({"Ca": 0.1, "V": 2, "E_b": 0.01, "bending": "helfrich_literal",
     "fluid": "transient", "until": {"kt": 0.001}, "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162}})"));

@@ -1,0 +1,96 @@
+#pragma once
+// One grid of the composite: a box of cells of one spacing, and its equation in moments (sweep.hpp).
+//
+// What is solved for is the deviation from the undisturbed shear flow u = (y, 0, 0), which solves the same
+// equation: so walls are at rest, and the numbers fade away from the capsule. Momentum g is a velocity in
+// units of a k on every grid (a linear flow may be scaled); then density, stresses and their residuals are
+// proportional to the spacing, and force and the residual of g to its square.
+#include <optional>
+#include <utility>
+
+#include "solver/fluid/composite/stress.hpp"
+#include "solver/fluid/composite/sweep.hpp"
+#include "solver/mesh/triangle_mesh.hpp"
+
+namespace capstan {
+
+/// Sweeps over one grid relax in turn with the two, stresses with p.
+struct Relaxation {
+  double gamma[2];
+  double p;
+};
+
+template <class T>
+class Grid {
+ public:
+  /// \param domain all cells of this spacing; a grid that covers it has no interpolated sides
+  /// \param dx     spacing / a
+  Grid(const IndexBox& box, const IndexBox& domain, const SideRules& domain_rules, double dx, bool has_stress,
+       const Relaxation& relaxation);
+
+  const IndexBox& box() const { return f_.box(); }
+  double dx() const { return dx_; }
+  bool is_whole() const { return box() == domain_; }
+
+  // The level of fas.hpp.
+  void relax();
+  void restrict_to(Grid& coarse);
+  void correct_from(Grid& coarse);
+
+  /// Viscosity over the ambient one in a box of cells, 1 outside of it.
+  void set_viscosity(const ScalarBox& viscosity) { stress_->set_viscosity(viscosity); }
+
+  /// D before a finer grid writes it: no force, and then one that is added in the cells of a box (a k a
+  /// sweep).
+  void clear_force();
+  void add_force(const VectorBox& force);
+  /// Adds what carries momentum with the flow (convection.hpp), as the flow stands. \param inertia Re nu dx /
+  /// a
+  void add_convection_of_flow(double inertia);
+
+  /// Linear in time: f <- f + weight (f - before), before <- f.
+  void extrapolate(double weight);
+
+  /// The same grid over another box. What was not covered is interpolated from the coarser grid.
+  void move_to(const IndexBox& box, Grid& coarse);
+
+  /// Ghosts of the sides that are interpolated.
+  void interpolate_ghosts(const Grid& coarse);
+
+  /// g in the cells of a box inside this grid (units a k, without the shear flow).
+  void momentum(VectorBox& box) const;
+
+  const RowField<T>& moments() const { return f_; }
+  /// Everything the next solve depends on.
+  template <class Visit>  // visit(name, RowField<T>&)
+  void visit_state(Visit visit) {
+    visit("f", f_), visit("before", before_);
+    if (stress_) visit("p", stress_->p), visit("p_before", stress_->before);
+  }
+  template <class Visit>  // visit(name, const RowField<T>&)
+  void visit_state(Visit visit) const {
+    visit("f", f_), visit("before", before_);
+    if (stress_) visit("p", stress_->p), visit("p_before", stress_->before);
+  }
+
+ private:
+  void sweep(double keep, double blend, double p_keep, double p_blend);
+  void sweep_residual() { sweep(-1, 1, -1, 1); }
+  void take_defect(Grid& fine);
+  void take_change();
+  IndexBox covered_stencils(const Grid& fine) const;
+  void subtract_mean_mass_defect();
+  void copy_ghosts_to_out(const IndexBox& region);
+  SideRules rules_of(const IndexBox& box) const;
+
+  IndexBox domain_;
+  SideRules domain_rules_;
+  double dx_;
+  Relaxation relaxation_;
+  int sweep_parity_ = 0;
+  SideRules rules_;
+  RowField<T> f_, out_, defect_, start_, before_;
+  std::optional<StressField<T>> stress_;
+};
+
+}  // namespace capstan

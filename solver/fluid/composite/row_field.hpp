@@ -1,0 +1,78 @@
+#pragma once
+// A few numbers a cell over a box of cells with one layer of ghosts around it. Rows along x are contiguous,
+// and the components of one row stand behind each other: a sweep meets its neighbours' numbers in few places
+// of memory.
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "solver/fluid/composite/index_box.hpp"
+
+namespace capstan {
+
+template <class T>
+class RowField {
+ public:
+  RowField() = default;
+  RowField(const IndexBox& box, int components)
+      : box_(box),
+        components_(components),
+        pitch_((box.size(0) + 2 + kLane - 1) / kLane * kLane),
+        data_(std::size_t(pitch_) * components * (box.size(1) + 2) * (box.size(2) + 2) + kLane, T(0)) {}
+
+  const IndexBox& box() const { return box_; }
+  int components() const { return components_; }
+  bool empty() const { return data_.empty(); }
+
+  /// The first cell inside the box, x = lo[0], of a row; the ghosts stand at -1 and size(0).
+  T* row(int component, int y, int z) { return data_.data() + offset(component, y, z); }
+  const T* row(int component, int y, int z) const { return data_.data() + offset(component, y, z); }
+
+  /// Distances in memory to the next component, to the rows y + 1 and z + 1.
+  std::ptrdiff_t component_stride() const { return pitch_; }
+  std::ptrdiff_t y_stride() const { return std::ptrdiff_t(pitch_) * components_; }
+  std::ptrdiff_t z_stride() const { return y_stride() * (box_.size(1) + 2); }
+
+  std::span<T> data() { return data_; }
+  std::span<const T> data() const { return data_; }
+
+ private:
+  static constexpr int kLane = 16;  // numbers of a 64-byte line in single precision
+
+  std::size_t offset(int component, int y, int z) const {
+    return std::size_t(z - box_.lo[2] + 1) * z_stride() + std::size_t(y - box_.lo[1] + 1) * y_stride() +
+           std::size_t(component) * pitch_ + 1;
+  }
+
+  IndexBox box_;
+  int components_ = 0, pitch_ = 0;
+  std::vector<T, Eigen::aligned_allocator<T>> data_;
+};
+
+/// Copies the cells that both boxes have (their ghosts not).
+template <class T>
+void copy_cells(const RowField<T>& from, RowField<T>& to) {
+  const IndexBox both = intersection(from.box(), to.box());
+  for (int z = both.lo[2]; z < both.hi[2]; ++z)
+    for (int y = both.lo[1]; y < both.hi[1]; ++y)
+      for (int k = 0; k < to.components(); ++k)
+        std::copy_n(from.row(k, y, z) + (both.lo[0] - from.box().lo[0]), both.size(0),
+                    to.row(k, y, z) + (both.lo[0] - to.box().lo[0]));
+}
+
+/// now <- now + weight (now - before), before <- now.
+template <class T>
+void extrapolate_field(RowField<T>& now, RowField<T>& before, double weight) {
+  T* __restrict a = now.data().data();
+  T* __restrict b = before.data().data();
+  for (std::size_t i = 0; i < now.data().size(); ++i) {
+    const T at_this_time = a[i];
+    a[i] += T(weight) * (at_this_time - b[i]);
+    b[i] = at_this_time;
+  }
+}
+
+}  // namespace capstan
