@@ -57,6 +57,7 @@ class Simulation {
   const Faces& faces() const { return sphere_.mesh.faces; }
   const History& history() const { return history_; }
   const RunStatistics& statistics() const { return statistics_; }
+  long steps_to_end() const { return time_.steps; }
 
  private:
   double kt(int steps_ahead = 0) const;

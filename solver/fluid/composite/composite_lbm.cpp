@@ -123,19 +123,23 @@ void CompositeLbm<T>::put_forces(const Points& forces) {
 
 /// u = g - F/2 and the undisturbed shear, which is exact at the vertex itself.
 template <class T>
-void CompositeLbm<T>::vertex_velocities(const Points& positions, Points& velocities) const {
-  VectorBox u;
-  u.reset(force_.lo(), force_.size());
-  grids_.front().momentum(u);
-  u.for_each_row([&](int y, int z) {
+void CompositeLbm<T>::vertex_velocities(const Points& positions, Points& velocities) {
+  velocity_.reset(force_.lo(), force_.size());
+  grids_.front().momentum(velocity_);
+  velocity_.for_each_row([&](int y, int z) {
     for (int c = 0; c < 3; ++c) {
-      double* row = u.row(c, y, z);
+      double* row = velocity_.row(c, y, z);
       const double* force = force_.row(c, y, z);
-      for (int i = 0; i < u.size()[0]; ++i) row[i] -= 0.5 * force[i];
+      for (int i = 0; i < velocity_.size()[0]; ++i) row[i] -= 0.5 * force[i];
     }
   });
-  boundary_.interpolate(u, velocities);
+  boundary_.interpolate(velocity_, velocities);
   velocities.row(0) += positions.row(1);
+}
+
+template <class T>
+void CompositeLbm<T>::cycle() {
+  fas_cycle(std::span(grids_), kCycle);
 }
 
 // The change of one cycle is not its error: with contraction rho the cycles to come would add change rho/(1 -
@@ -147,7 +151,7 @@ FlowReport CompositeLbm<T>::cycle_until_converged(const Points& positions, Point
   FlowReport report;
   double last_change = 0;
   while (report.iterations < kMostCycles) {
-    fas_cycle(std::span(grids_), kCycle);
+    cycle();
     ++report.iterations;
     vertex_velocities(positions, velocities);
     const double change = (velocities - last).norm() / velocities.norm();

@@ -34,6 +34,8 @@ class CompositeLbm : public FlowModel {
   void save(StateArchive& archive) const override;
   void load(const StateArchive& archive) override;
 
+  /// One multigrid cycle; a solve takes as many as it needs. After the first solve.
+  void cycle();
   const std::vector<Grid<T>>& grids() const { return grids_; }
 
  private:
@@ -43,7 +45,7 @@ class CompositeLbm : public FlowModel {
   void put_viscosity(const Points& positions);
   void put_forces(const Points& forces);
   void extrapolate_to(double kt);
-  void vertex_velocities(const Points& positions, Points& velocities) const;
+  void vertex_velocities(const Points& positions, Points& velocities);
   FlowReport cycle_until_converged(const Points& positions, Points& velocities);
 
   CompositeOptions options_;
@@ -53,6 +55,7 @@ class CompositeLbm : public FlowModel {
   std::vector<IndexBox> boxes_;
   std::vector<Grid<T>> grids_;      ///< finest first; none before the first solve
   VectorBox force_;                 ///< of the membrane on the finest grid
+  VectorBox velocity_;  ///< workspace: in the same cells
   std::vector<double> solved_at_;   ///< times of the last two solves
   double first_contraction_ = 0.3;  ///< of the error by the first cycle of a solve, as last seen
 };

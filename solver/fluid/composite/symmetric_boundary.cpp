@@ -63,31 +63,29 @@ IndexBox SymmetricBoundary::touched(int margin) const {
   return box;
 }
 
-void SymmetricBoundary::spread(const Points& forces, double scale, VectorBox& box) const {
+void SymmetricBoundary::spread(const Points& forces, double scale, VectorBox& box) {
   reset(box, touched());
   Points shares = orbits_.restrict(forces);
   if (!has_symmetry()) return boundary_.spread(shares, scale, box);
   shares = folded(shares);
   for (Eigen::Index k = 0; k < shares.cols(); ++k) shares.col(k) *= orbits_.size(int(k)) / 4.0;
-  VectorBox all;
-  reset(all, extended());
-  boundary_.spread(shares, scale, all);
+  reset(extended_box_, extended());
+  boundary_.spread(shares, scale, extended_box_);
   const int n = box.size()[0];
-  for_each_image(all, box, [n](const double* from, double* to, double sign, bool is_reversed) {
+  for_each_image(extended_box_, box, [n](const double* from, double* to, double sign, bool is_reversed) {
     for (int i = 0; i < n; ++i) to[i] += sign * from[is_reversed ? n - 1 - i : i];
   });
 }
 
-void SymmetricBoundary::interpolate(const VectorBox& box, Points& velocities) const {
+void SymmetricBoundary::interpolate(const VectorBox& box, Points& velocities) {
   Points at_representatives(3, signs_.cols());
   if (has_symmetry()) {
-    VectorBox all;
-    reset(all, extended());
+    reset(extended_box_, extended());
     const int n = box.size()[0];
-    for_each_image(all, box, [n](double* to, const double* from, double sign, bool is_reversed) {
+    for_each_image(extended_box_, box, [n](double* to, const double* from, double sign, bool is_reversed) {
       for (int i = 0; i < n; ++i) to[i] = sign * from[is_reversed ? n - 1 - i : i];
     });
-    boundary_.interpolate(all, 1, at_representatives);
+    boundary_.interpolate(extended_box_, 1, at_representatives);
   } else {
     boundary_.interpolate(box, 1, at_representatives);
   }

@@ -22,10 +22,10 @@ class SymmetricBoundary {
   IndexBox touched(int margin = 0) const;
 
   /// sum_k scale forces_k delta(x - X_k), in the cells touched.
-  void spread(const Points& forces, double scale, VectorBox& box) const;
+  void spread(const Points& forces, double scale, VectorBox& box);
 
   /// velocities_k = sum_x u(x) delta(x - X_k), from the cells touched.
-  void interpolate(const VectorBox& box, Points& velocities) const;
+  void interpolate(const VectorBox& box, Points& velocities);
 
  private:
   Points folded(const Points& of_representatives) const;
@@ -33,7 +33,8 @@ class SymmetricBoundary {
 
   Orbits orbits_;
   ImmersedBoundary boundary_;
-  Points signs_;  ///< 3 x #representatives: +-1, of the symmetry that takes one into the quarter
+  VectorBox extended_box_;  ///< workspace: the cells touched, beyond the planes too
+  Points signs_;            ///< 3 x #representatives: +-1, of the symmetry that takes one into the quarter
 };
 
 }  // namespace capstan
