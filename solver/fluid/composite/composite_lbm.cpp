@@ -9,8 +9,6 @@
 namespace capstan {
 namespace {
 
-constexpr double kViscosity = 1. / 6;  // of the ambient fluid in lattice units: see sweep.hpp
-
 // Smooth fast, and with the extrapolated start stay stable at one cycle a step, which an eigenvalue of the
 // cycle below -1/3 would not. Measured for 0.1 <= V <= 10.
 constexpr Relaxation kRelaxation = {{0.9, 0.75}, 0.5};
@@ -112,11 +110,11 @@ void CompositeLbm<T>::extrapolate_to(double kt) {
 
 template <class T>
 void CompositeLbm<T>::put_forces(const Points& forces) {
-  boundary_.spread(forces, kViscosity / options_.dx, force_);
+  boundary_.spread(forces, kAmbientViscosity / options_.dx, force_);
   for (std::size_t grid = 0; grid < grids_.size(); ++grid) {
     if (grid + 1 < grids_.size()) grids_[grid].interpolate_ghosts(grids_[grid + 1]);
     grids_[grid].clear_force();
-    if (options_.Re > 0) grids_[grid].add_convection_of_flow(options_.Re * kViscosity * grids_[grid].dx());
+    grids_[grid].set_convection(options_.Re);
   }
   grids_.front().add_force(force_);
 }

@@ -55,7 +55,7 @@ class CompositeLbm : public FlowModel {
   std::vector<IndexBox> boxes_;
   std::vector<Grid<T>> grids_;      ///< finest first; none before the first solve
   VectorBox force_;                 ///< of the membrane on the finest grid
-  VectorBox velocity_;  ///< workspace: in the same cells
+  VectorBox velocity_;              ///< workspace: in the same cells
   std::vector<double> solved_at_;   ///< times of the last two solves
   double first_contraction_ = 0.3;  ///< of the error by the first cycle of a solve, as last seen
 };

@@ -69,9 +69,14 @@ template <class T>
 void Grid<T>::sweep(double keep, double blend, double p_keep, double p_blend) {
   fill_ghosts(f_, rules_, kMomentParity);
   if (stress_) stress_->update_q();
+  if (inertia_ > 0) {
+    with_inertia_ = defect_;
+    add_convection(f_, dx_, inertia_, with_inertia_);
+  }
+  const RowField<T>& defect = inertia_ > 0 ? with_inertia_ : defect_;
   for_each_row(box(), [&](int y, int z) {
-    FluidRow<T> row{f_.row(0, y, z), defect_.row(0, y, z), out_.row(0, y, z),
-                    strides_of(f_),  box().size(0),        T(keep),
+    FluidRow<T> row{f_.row(0, y, z), defect.row(0, y, z), out_.row(0, y, z),
+                    strides_of(f_),  box().size(0),       T(keep),
                     T(blend)};
     sweep_fluid(row);
     const RowSpan span = stress_ ? stress_->span(y, z) : RowSpan{};
@@ -215,8 +220,15 @@ void Grid<T>::add_force(const VectorBox& force) {
   });
 }
 
+// Kept from the start of a solve, convection is a fixed point's iteration with the factor Re h^2 over a grid
+// of half-height h, where the undisturbed flow has the velocity h: around the capsule small, in a large box
+// beyond 1.
 template <class T>
-void Grid<T>::add_convection_of_flow(double inertia) {
+void Grid<T>::set_convection(double Re) {
+  constexpr double kMostKept = 0.5;
+  const double inertia = Re * kAmbientViscosity * dx_, h = dx_ * box().hi[1];
+  inertia_ = Re * h * h > kMostKept ? inertia : 0;
+  if (inertia_ > 0 || Re == 0) return;
   fill_ghosts(f_, rules_, kMomentParity);
   add_convection(f_, dx_, inertia, defect_);
 }

@@ -44,9 +44,10 @@ class Grid {
   /// sweep).
   void clear_force();
   void add_force(const VectorBox& force);
-  /// Adds what carries momentum with the flow (convection.hpp), as the flow stands. \param inertia Re nu dx /
-  /// a
-  void add_convection_of_flow(double inertia);
+  /// What carries momentum with the flow (convection.hpp): taken from the flow as it stands and kept like a
+  /// force, or, where it outweighs viscosity over the grid, from the flow before each sweep. After
+  /// clear_force().
+  void set_convection(double Re);
 
   /// Linear in time: f <- f + weight (f - before), before <- f.
   void extrapolate(double weight);
@@ -90,6 +91,8 @@ class Grid {
   int sweep_parity_ = 0;
   SideRules rules_;
   RowField<T> f_, out_, defect_, start_, before_;
+  double inertia_ = 0;        ///< Re nu dx / a where convection is part of every sweep, else 0
+  RowField<T> with_inertia_;  ///< D and convection, where it is
   std::optional<StressField<T>> stress_;
 };
 

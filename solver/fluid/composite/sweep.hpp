@@ -24,6 +24,9 @@
 
 namespace capstan {
 
+/// nu of the ambient fluid, lattice units.
+inline constexpr double kAmbientViscosity = 1. / 6;
+
 /// Components of a field of moments, and of a field of stresses (P_zz = -P_xx - P_yy).
 enum MomentComponent { kRho, kGx, kGy, kGz, kMoments };
 enum StressComponent { kXX, kYY, kXY, kXZ, kYZ, kStresses };

@@ -1,0 +1,74 @@
+// Whole runs on the composite of grids: the same answer by all ways to it.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include "solver/fluid/composite/composite_lbm.hpp"
+#include "solver/membrane/membrane.hpp"
+#include "solver/mesh/shapes.hpp"
+#include "solver/observe/deformation.hpp"
+#include "solver/simulation/time_step.hpp"
+#include "tests/support/history_of.hpp"
+
+namespace capstan {
+namespace {
+
+std::string red_cell(const std::string& kt, const std::string& knobs) {
+  return R"({"shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.4, "V": 4, "until": {"kt": )" +
+         kt + R"(}, "outputs": {"shapes_every": 0}, "fidelity": {"preset": "fast")" + knobs + "}}";
+}
+
+/// D_xy after each step of a run, on the composite or on the uniform grid.
+std::vector<double> deformations(bool is_uniform) {
+  const Case c = testing::parsed_case(red_cell("2", R"(, "kdt": 0.05)"));
+  const Icosphere sphere = make_icosphere(3);
+  Points x = initial_positions(c, sphere), forces, u, before;
+  const Membrane membrane(c, sphere.mesh, x);
+  CompositeLbm<float> flow(sphere.mesh, Orbits::of(x), {.dx = 0.2, .V = c.V, .is_uniform = is_uniform});
+  AdamsBashforth2 stepper;
+  std::vector<double> D;
+  for (int step = 0; step < 40; ++step) {
+    membrane.forces(x, forces);
+    EXPECT_TRUE(flow.solve(step * c.fidelity.kdt, x, forces, u).converged);
+    stepper.advance({}, step * c.fidelity.kdt, (step + 1) * c.fidelity.kdt, u, x);
+    D.push_back(deformation(inertia_ellipse(x, sphere.mesh.faces)).D_xy);
+  }
+  return D;
+}
+
+TEST(CompositeRun, DeformsAsOnTheUniformGridToFiveParts) {
+  const auto composite = deformations(false), uniform = deformations(true);
+  for (std::size_t i = 0; i < uniform.size(); ++i)
+    EXPECT_NEAR(composite[i], uniform[i], 5e-4) << "step " << i;
+}
+
+TEST(CompositeRun, OfAQuarterIsThatOfTheWhole) {
+  const History quarter = testing::history_of(red_cell("4", R"(, "tolerance": 1e-4)"));
+  const History whole = testing::history_of(red_cell("4", R"(, "tolerance": 1e-4, "symmetry": "none")"));
+  ASSERT_EQ(quarter.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    EXPECT_NEAR(quarter[i].D_xy, whole[i].D_xy, 2e-4) << whole[i].kt;
+}
+
+TEST(CompositeRun, HasTheSameHistoryToTheLastBitOnOneThreadAndOnTwo) {
+  omp_set_num_threads(1);
+  const History alone = testing::history_of(red_cell("1", R"(, "symmetry": "none")"));
+  omp_set_num_threads(2);
+  const History together = testing::history_of(red_cell("1", R"(, "symmetry": "none")"));
+  omp_set_num_threads(1);
+  EXPECT_EQ(alone, together);
+}
+
+// In a box this large momentum that is carried with the flow outweighs viscosity far from the capsule.
+TEST(CompositeRun, StaysStableInALargeBoxAndDeformsAsInASmallerOne) {
+  const auto in_box = [](const std::string& box) {
+    return testing::history_of(R"({"shape": "oblate", "aspect": 0.5, "Ca": 0.1, "until": {"kt": 3},
+      "fidelity": {"preset": "fast", "kdt": 0.02, "box": )" +
+                               box + "}}")
+        .back()
+        .D_xy;
+  };
+  EXPECT_NEAR(in_box("51.2"), in_box("12.8"), 2e-3);
+}
+
+}  // namespace
+}  // namespace capstan
