@@ -32,6 +32,20 @@ std::vector<float> squared_reach(const Surface& surface) {
 Neighbourhood::Neighbourhood(const TriangleMesh& mesh, std::vector<int> targets)
     : targets_(std::move(targets)), corners_(corners_around_vertices(mesh)), faces_(mesh.faces) {
   for (int target : targets_) rings_.push_back(rings_around(target));
+  number_near_faces();
+}
+
+/// Of the whole capsule's faces a quarter's targets have less than half in their rings.
+void Neighbourhood::number_near_faces() {
+  std::vector<int> numbers(size_t(faces_.cols()), -1);
+  for (Rings& rings : rings_)
+    for (int& face : rings.two_ring) {
+      if (numbers[face] < 0) {
+        numbers[face] = int(near_faces_.size());
+        near_faces_.push_back(face);
+      }
+      face = numbers[face];
+    }
 }
 
 Rings Neighbourhood::rings_around(int target) const {
@@ -54,7 +68,8 @@ std::vector<CloseFace> Neighbourhood::close_faces(const Surface& surface) const 
   const std::vector<float> reach_squared = squared_reach(surface);
   std::vector<std::vector<int>> faces(targets_.size());
 #pragma omp parallel for schedule(dynamic, 16)
-  for (int slot = 0; slot < int(targets_.size()); ++slot) faces[slot] = faces_close_to(slot, surface, reach_squared);
+  for (int slot = 0; slot < int(targets_.size()); ++slot)
+    faces[slot] = faces_close_to(slot, surface, reach_squared);
   std::vector<CloseFace> close;
   for (int slot = 0; slot < int(targets_.size()); ++slot)
     for (int face : faces[slot]) close.push_back({slot, face});
@@ -67,7 +82,8 @@ std::vector<int> Neighbourhood::faces_close_to(int slot, const Surface& surface,
   std::vector<unsigned char> within_reach;
   const int hits = mark_within_reach(surface.points, reach_squared,
                                      surface.positions.col(targets_[slot]).cast<float>(), within_reach);
-  const auto hits_in_rings = std::ranges::count_if(rings.vertices, [&](int vertex) { return within_reach[vertex]; });
+  const auto hits_in_rings =
+      std::ranges::count_if(rings.vertices, [&](int vertex) { return within_reach[vertex]; });
   if (hits == hits_in_rings) return {};
   std::set<int> faces;
   for (int vertex = 0; vertex < surface.positions.cols(); ++vertex)

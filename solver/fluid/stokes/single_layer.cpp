@@ -30,10 +30,11 @@ class PointForces {
 
 class SingleLayer {
  public:
-  SingleLayer(const Surface& surface, const Points& forces)
+  SingleLayer(const Surface& surface, const Neighbourhood& neighbourhood, const Points& forces)
       : surface_(surface), densities_(forces * surface.vertex_areas.cwiseInverse().asDiagonal()) {
     forces_.assign(forces);
-    make_face_rules();
+    near_rules_.reserve(neighbourhood.near_faces().size());
+    for (int face : neighbourhood.near_faces()) near_rules_.push_back(make_rule(face));
   }
 
   /// \param near scratch, kept between targets
@@ -41,10 +42,12 @@ class SingleLayer {
     const Vec3 x0 = surface_.positions.col(target);
     near.clear();
     for (const Corner& corner : rings.one_ring) replace_by_rays(target, corner, near);
-    for (int face : rings.two_ring) {
-      if (face_sizes_[face].is_served_from(x0))
-        for (const PointForce& point : face_rules_[face]) near.add(point);
-      else replace_by_split_face(x0, face, near);
+    for (int n : rings.two_ring) {
+      const FaceRule& rule = near_rules_[n];
+      if (rule.size.is_served_from(x0))
+        for (const PointForce& point : rule.points) near.add(point);
+      else
+        replace_by_split_face(x0, rule.face, near);
     }
     for (const CloseFace& here : close) replace_by_split_face(x0, here.face, near);
     const Vec3 far = sum_stokeslets(surface_.points, forces_, x0.cast<float>()).cast<double>();
@@ -58,31 +61,37 @@ class SingleLayer {
     return {surface_.positions.col(vertex).cast<float>(), share.cast<float>()};
   }
 
-  /// For each face: three Gauss points, and the vertex rule taken back.
-  void make_face_rules() {
-    face_rules_.resize(size_t(surface_.mesh.faces.cols()));
-    for (int face = 0; face < int(face_rules_.size()); ++face) {
-      const Eigen::Vector3i corners = surface_.mesh.faces.col(face);
-      const Eigen::Matrix3d x = surface_.positions(Eigen::all, corners), f = densities_(Eigen::all, corners);
-      face_sizes_.emplace_back(x);
-      for (int n = 0; n < kGaussPoints; ++n) {
-        const TrianglePoint point = gauss_point(n);
-        const Vec3 force = point.weight * surface_.face_areas[face] * (f * point.barycentric);
-        face_rules_[face][n] = {(x * point.barycentric).cast<float>(), force.cast<float>()};
-        face_rules_[face][kGaussPoints + n] = taken_back(face, corners[n]);
-      }
+  /// Three Gauss points on a face, and the vertex rule taken back.
+  struct FaceRule {
+    int face;
+    TriangleSize size;
+    std::array<PointForce, 2 * kGaussPoints> points;
+  };
+  FaceRule make_rule(int face) const {
+    const Eigen::Vector3i corners = surface_.mesh.faces.col(face);
+    const Eigen::Matrix3d x = surface_.positions(Eigen::all, corners), f = densities_(Eigen::all, corners);
+    FaceRule rule{face, TriangleSize(x), {}};
+    for (int n = 0; n < kGaussPoints; ++n) {
+      const TrianglePoint point = gauss_point(n);
+      const Vec3 force = point.weight * surface_.face_areas[face] * (f * point.barycentric);
+      rule.points[n] = {(x * point.barycentric).cast<float>(), force.cast<float>()};
+      rule.points[kGaussPoints + n] = taken_back(face, corners[n]);
     }
+    return rule;
   }
 
-  // On a face (x0, a, b) of area A let x = x0 + rho e(s), e(s) the vector from x0 to the point s of the opposite edge.
-  // G(rho e) = G(e)/rho cancels the rho of dA = 2 A rho drho ds, and with f linear along the ray
+  // On a face (x0, a, b) of area A let x = x0 + rho e(s), e(s) the vector from x0 to the point s of the
+  // opposite edge. G(rho e) = G(e)/rho cancels the rho of dA = 2 A rho drho ds, and with f linear along the
+  // ray
   //   int G f dA = A int_0^1 G(e(s)) [f(x0) + f(x0 + e(s))] ds,
   // which is a sum of point forces on the opposite edge.
   void replace_by_rays(int target, const Corner& corner, PointForces& near) const {
     const Vec3 a = surface_.positions.col(corner.next), b = surface_.positions.col(corner.last);
-    const Vec3 f0 = densities_.col(target), fa = densities_.col(corner.next), fb = densities_.col(corner.last);
+    const Vec3 f0 = densities_.col(target), fa = densities_.col(corner.next),
+               fb = densities_.col(corner.last);
     for (const EdgePoint& point : kEdgeRule)
-      near.add(a + point.s * (b - a), point.weight * surface_.face_areas[corner.face] * (f0 + fa + point.s * (fb - fa)));
+      near.add(a + point.s * (b - a),
+               point.weight * surface_.face_areas[corner.face] * (f0 + fa + point.s * (fb - fa)));
     near.add(taken_back(corner.face, corner.next));
     near.add(taken_back(corner.face, corner.last));
   }
@@ -98,15 +107,14 @@ class SingleLayer {
   const Surface& surface_;
   Points densities_;   ///< 3 x #V: f, force per area
   PointArray forces_;  ///< the vertex rule
-  std::vector<std::array<PointForce, 2 * kGaussPoints>> face_rules_;
-  std::vector<TriangleSize> face_sizes_;
+  std::vector<FaceRule> near_rules_;
 };
 
 }  // namespace
 
-Points single_layer(const Surface& surface, const Neighbourhood& neighbourhood, const std::vector<CloseFace>& close,
-                    const Points& forces) {
-  const SingleLayer layer(surface, forces);
+Points single_layer(const Surface& surface, const Neighbourhood& neighbourhood,
+                    const std::vector<CloseFace>& close, const Points& forces) {
+  const SingleLayer layer(surface, neighbourhood, forces);
   const std::vector<int>& targets = neighbourhood.targets();
   Points velocities(3, targets.size());
 #pragma omp parallel
@@ -114,7 +122,8 @@ Points single_layer(const Surface& surface, const Neighbourhood& neighbourhood, 
     PointForces near;
 #pragma omp for schedule(dynamic, 16)
     for (int slot = 0; slot < int(targets.size()); ++slot)
-      velocities.col(slot) = layer.at(targets[slot], neighbourhood.rings()[slot], close_to(close, slot), near);
+      velocities.col(slot) =
+          layer.at(targets[slot], neighbourhood.rings()[slot], close_to(close, slot), near);
   }
   return velocities;
 }

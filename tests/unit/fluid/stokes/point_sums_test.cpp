@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "solver/fluid/stokes/point_loops.hpp"
+
 namespace capstan {
 namespace {
 
@@ -52,8 +54,8 @@ TEST(PointSums, StressletsAreThoseOfDoublePrecision) {
   const Cloud cloud;
   const Vec3 x0(0.1, -0.2, 1.5), u0(0.3, 0.2, 0.1);
   const Vec3 exact = stresslets_in_double(cloud, x0, u0);
-  const auto sum =
-      sum_stresslets(array_of(cloud.x), array_of(cloud.f), array_of(cloud.u), x0.cast<float>(), u0.cast<float>());
+  const auto sum = sum_stresslets(array_of(cloud.x), array_of(cloud.f), array_of(cloud.u), x0.cast<float>(),
+                                  u0.cast<float>());
   EXPECT_LT((sum.cast<double>() - exact).norm(), 1e-5 * exact.norm());
 }
 
@@ -62,11 +64,33 @@ TEST(PointSums, ASourceOnTheTargetCountsForNothing) {
   cloud.x = cloud.x.cast<float>().cast<double>();
   const Vec3 x0 = cloud.x.col(5), u0 = cloud.u.col(5).cast<float>().cast<double>();
   const auto single = sum_stokeslets(array_of(cloud.x), array_of(cloud.f), x0.cast<float>());
-  const auto twofold =
-      sum_stresslets(array_of(cloud.x), array_of(cloud.f), array_of(cloud.u), x0.cast<float>(), u0.cast<float>());
-  const Vec3 exact_single = stokeslets_in_double(cloud, x0), exact_twofold = stresslets_in_double(cloud, x0, u0);
+  const auto twofold = sum_stresslets(array_of(cloud.x), array_of(cloud.f), array_of(cloud.u),
+                                      x0.cast<float>(), u0.cast<float>());
+  const Vec3 exact_single = stokeslets_in_double(cloud, x0),
+             exact_twofold = stresslets_in_double(cloud, x0, u0);
   EXPECT_LT((single.cast<double>() - exact_single).norm(), 1e-5 * exact_single.norm());
   EXPECT_LT((twofold.cast<double>() - exact_twofold).norm(), 1e-4 * exact_twofold.norm());
+}
+
+Components components(const PointArray& array) { return {array.x(), array.y(), array.z()}; }
+
+// The program takes the widest vector unit it finds; the others must serve where that one is missing.
+TEST(PointSums, EveryVectorUnitGivesThoseOfDoublePrecision) {
+  Cloud cloud;
+  cloud.x = cloud.x.cast<float>().cast<double>();
+  const Vec3 x0 = cloud.x.col(5), u0(0.3, 0.2, 0.1);
+  const PointArray x = array_of(cloud.x), f = array_of(cloud.f), u = array_of(cloud.u);
+  const Eigen::Vector3f at = x0.cast<float>(), with = u0.cast<float>();
+  const Vec3 exact_single = stokeslets_in_double(cloud, x0),
+             exact_twofold = stresslets_in_double(cloud, x0, u0);
+  for (const PointLoops* loops : supported_point_loops()) {
+    Eigen::Vector3f single, twofold;
+    loops->stokeslets(x.padded_size(), components(x), components(f), at.data(), single.data());
+    loops->stresslets(x.padded_size(), components(x), components(f), components(u), at.data(), with.data(),
+                      twofold.data());
+    EXPECT_LT((single.cast<double>() - exact_single).norm(), 1e-5 * exact_single.norm()) << loops->unit;
+    EXPECT_LT((twofold.cast<double>() - exact_twofold).norm(), 1e-4 * exact_twofold.norm()) << loops->unit;
+  }
 }
 
 TEST(PointSums, EveryPointHasItsOwnReach) {
@@ -76,7 +100,8 @@ TEST(PointSums, EveryPointHasItsOwnReach) {
   reach_squared[0] = 1.5f, reach_squared[1] = 3.9f, reach_squared[2] = 9.1f;
   std::vector<unsigned char> marks;
   EXPECT_EQ(mark_within_reach(array_of(x), reach_squared, Eigen::Vector3f::Zero(), marks), 2);
-  EXPECT_EQ(std::vector<unsigned char>(marks.begin(), marks.begin() + 4), (std::vector<unsigned char>{1, 0, 1, 0}));
+  EXPECT_EQ(std::vector<unsigned char>(marks.begin(), marks.begin() + 4),
+            (std::vector<unsigned char>{1, 0, 1, 0}));
 }
 
 }  // namespace
