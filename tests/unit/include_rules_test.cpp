@@ -17,7 +17,7 @@ const std::map<std::string, int> kLevels = {
     {"solver/case", 0},       {"solver/state", 0},                                                 //
     {"solver/mesh", 1},                                                                            //
     {"solver/coupling", 2},   {"solver/fluid", 2}, {"solver/membrane", 2}, {"solver/observe", 2},  //
-    {"solver/simulation", 3},                                                                      //
+    {"solver/baseline", 3},   {"solver/simulation", 3},                                            //
     {"runner/study", 4},      {"runner/queue", 4}, {"runner/execute", 4},  {"runner/results", 4},  //
     {"runner/service", 5},                                                                         //
     {"runner/cli", 6},        {"runner/web", 6},
