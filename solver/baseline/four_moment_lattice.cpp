@@ -1,5 +1,7 @@
 #include "solver/baseline/four_moment_lattice.hpp"
 
+#include <algorithm>
+
 namespace capstan {
 
 using d3q19::e;
@@ -8,22 +10,19 @@ using d3q19::opposite;
 
 namespace {
 
-/// The moments of a row of cells.
-template <class Real>
-using Moments = std::array<const Real*, 4>;
-
-/// A row's neighbours, the row itself among them.
+/// A row's neighbours, the row itself among them: their rho; g lies `stride` numbers further on, each.
 template <class Real>
 struct Neighbours {
-  Moments<Real> row[3][3];  ///< [1 + dy][1 + dz]
+  const Real* row[3][3];  ///< [1 + dy][1 + dz]
+  std::ptrdiff_t stride;
 };
 
 template <int ex, int ey, int ez, class Real>
-[[gnu::always_inline]] inline Real phi(const Moments<Real>& m, std::ptrdiff_t i) {
-  Real value = m[0][i];
-  if constexpr (ex != 0) value += Real(3 * ex) * m[1][i];
-  if constexpr (ey != 0) value += Real(3 * ey) * m[2][i];
-  if constexpr (ez != 0) value += Real(3 * ez) * m[3][i];
+[[gnu::always_inline]] inline Real phi(const Real* m, std::ptrdiff_t stride, std::ptrdiff_t i) {
+  Real value = m[i];
+  if constexpr (ex != 0) value += Real(3 * ex) * m[stride + i];
+  if constexpr (ey != 0) value += Real(3 * ey) * m[2 * stride + i];
+  if constexpr (ez != 0) value += Real(3 * ez) * m[3 * stride + i];
   return value;
 }
 
@@ -34,60 +33,63 @@ struct Pair {
 };
 template <int ex, int ey, int ez, class Real>
 [[gnu::always_inline]] inline Pair<Real> arriving(const Neighbours<Real>& near, std::ptrdiff_t i) {
-  const Real along = phi<ex, ey, ez>(near.row[1 - ey][1 - ez], i - ex);
-  const Real against = phi<-ex, -ey, -ez>(near.row[1 + ey][1 + ez], i + ex);
+  const Real along = phi<ex, ey, ez>(near.row[1 - ey][1 - ez], near.stride, i - ex);
+  const Real against = phi<-ex, -ey, -ez>(near.row[1 + ey][1 + ez], near.stride, i + ex);
   return {along + against, along - against};
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void stream_row(const Neighbours<Real>& neighbours,
-                                              const std::array<Real*, 4>& to, std::ptrdiff_t count) {
-  const Neighbours<Real> near = neighbours;
-  Real *rho = to[0], *gx = to[1], *gy = to[2], *gz = to[3];
+[[gnu::always_inline]] inline void stream_cell(const Neighbours<Real>& near, Real* to, std::ptrdiff_t i) {
   constexpr Real kRest = Real(1.0 / 3), kAxis = Real(1.0 / 18), kDiagonal = Real(1.0 / 36);
+  const auto x = arriving<1, 0, 0>(near, i), y = arriving<0, 1, 0>(near, i), z = arriving<0, 0, 1>(near, i);
+  const auto xy = arriving<1, 1, 0>(near, i), xny = arriving<1, -1, 0>(near, i);
+  const auto xz = arriving<1, 0, 1>(near, i), xnz = arriving<1, 0, -1>(near, i);
+  const auto yz = arriving<0, 1, 1>(near, i), ynz = arriving<0, 1, -1>(near, i);
+  to[i] = kRest * near.row[1][1][i] + kAxis * (x.sum + y.sum + z.sum) +
+          kDiagonal * (xy.sum + xny.sum + xz.sum + xnz.sum + yz.sum + ynz.sum);
+  to[near.stride + i] =
+      kAxis * x.difference + kDiagonal * (xy.difference + xny.difference + xz.difference + xnz.difference);
+  to[2 * near.stride + i] =
+      kAxis * y.difference + kDiagonal * (xy.difference - xny.difference + yz.difference + ynz.difference);
+  to[3 * near.stride + i] =
+      kAxis * z.difference + kDiagonal * (xz.difference - xnz.difference + yz.difference - ynz.difference);
+}
+
+// Of the nine rows the one at y + 1, z + 1 was not read before; memory is asked for the next of its kind, and
+// for the row that will be written next.
+template <class Real>
+[[gnu::always_inline]] inline void stream_row(const Neighbours<Real>& neighbours, Real* to,
+                                              std::ptrdiff_t count) {
+  constexpr std::ptrdiff_t kLine = kCacheLine / sizeof(Real);
+  const Neighbours<Real> near = neighbours;
+  std::ptrdiff_t first = 0;
+  for (; first + kLine <= count; first += kLine) {
+    for (int moment = 4; moment < 8; ++moment) {
+      __builtin_prefetch(near.row[2][2] + moment * near.stride + first);
+      __builtin_prefetch(to + moment * near.stride + first, 1);
+    }
 #pragma GCC ivdep
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    const auto x = arriving<1, 0, 0>(near, i), y = arriving<0, 1, 0>(near, i), z = arriving<0, 0, 1>(near, i);
-    const auto xy = arriving<1, 1, 0>(near, i), xny = arriving<1, -1, 0>(near, i);
-    const auto xz = arriving<1, 0, 1>(near, i), xnz = arriving<1, 0, -1>(near, i);
-    const auto yz = arriving<0, 1, 1>(near, i), ynz = arriving<0, 1, -1>(near, i);
-    rho[i] = kRest * near.row[1][1][0][i] + kAxis * (x.sum + y.sum + z.sum) +
-             kDiagonal * (xy.sum + xny.sum + xz.sum + xnz.sum + yz.sum + ynz.sum);
-    gx[i] =
-        kAxis * x.difference + kDiagonal * (xy.difference + xny.difference + xz.difference + xnz.difference);
-    gy[i] =
-        kAxis * y.difference + kDiagonal * (xy.difference - xny.difference + yz.difference + ynz.difference);
-    gz[i] =
-        kAxis * z.difference + kDiagonal * (xz.difference - xnz.difference + yz.difference - ynz.difference);
+    for (std::ptrdiff_t i = first; i < first + kLine; ++i) stream_cell(near, to, i);
   }
+#pragma GCC ivdep
+  for (std::ptrdiff_t i = first; i < count; ++i) stream_cell(near, to, i);
 }
 
 #define CAPSTAN_VECTOR_UNITS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-CAPSTAN_VECTOR_UNITS void stream(const Neighbours<double>& near, const std::array<double*, 4>& to,
-                                 int count) {
+CAPSTAN_VECTOR_UNITS void stream(const Neighbours<double>& near, double* to, int count) {
   stream_row(near, to, count);
 }
-CAPSTAN_VECTOR_UNITS void stream(const Neighbours<float>& near, const std::array<float*, 4>& to, int count) {
+CAPSTAN_VECTOR_UNITS void stream(const Neighbours<float>& near, float* to, int count) {
   stream_row(near, to, count);
-}
-
-template <class Real, class Field>
-std::array<Real*, 4> rows_of(Field& field, int y, int z) {
-  return {field.row(0, y, z), field.row(1, y, z), field.row(2, y, z), field.row(3, y, z)};
-}
-
-template <class Real>
-Real phi(const Moments<Real>& m, int q, int x) {
-  return m[0][x] + 3 * (Real(e[q].x) * m[1][x] + Real(e[q].y) * m[2][x] + Real(e[q].z) * m[3][x]);
 }
 
 }  // namespace
 
 template <class Real>
 MomentField<Real>::MomentField(Extent extent) : nx_(extent.nx), ny_(extent.ny) {
-  constexpr std::size_t kLine = kCacheLine / sizeof(Real);
+  constexpr int kLine = kCacheLine / sizeof(Real);
   stride_ = (nx_ + kLine - 1) / kLine * kLine + kLine;
-  for (auto& moment : moments_) moment.resize(kLine + std::size_t(extent.ny) * extent.nz * stride_);
+  numbers_.resize(kLine + std::size_t(extent.ny) * extent.nz * 4 * stride_);
 }
 
 template <class Real>
@@ -116,35 +118,43 @@ void FourMomentLattice<Real>::step() {
 
 template <class Real>
 void FourMomentLattice<Real>::step_inner_row(int y, int z) {
-  Neighbours<Real> near;
+  Neighbours<Real> near{.row = {}, .stride = now_.stride()};
   for (int dy : {-1, 0, 1})
-    for (int dz : {-1, 0, 1})
-      near.row[1 + dy][1 + dz] =
-          rows_of<const Real>(std::as_const(now_), y + dy, (z + dz + extent_.nz) % extent_.nz);
-  stream(near, rows_of<Real>(next_, y, z), extent_.nx);
+    for (int dz : {-1, 0, 1}) near.row[1 + dy][1 + dz] = now_.row(0, y + dy, periodic(z + dz, extent_.nz));
+  stream(near, next_.row(0, y, z), extent_.nx);
 }
 
 /// Half-way bounce-back: from the wall comes what the cell sent there, with the momentum of the wall.
 template <class Real>
 void FourMomentLattice<Real>::step_row_at_wall(int y, int z) {
-  const auto to = rows_of<Real>(next_, y, z);
+  for (int moment = 0; moment < 4; ++moment) std::fill_n(next_.row(moment, y, z), extent_.nx, Real(0));
+  for (int q = 0; q < kQ; ++q) {
+    const int from_y = y - e[q].y, from_z = periodic(z - e[q].z, extent_.nz);
+    if (from_y < 0)
+      add_arriving(q, opposite[q], now_.row(0, y, z), Real(-6 * e[q].x) * wall_speed_, y, z);
+    else if (from_y >= extent_.ny)
+      add_arriving(q, opposite[q], now_.row(0, y, z), Real(6 * e[q].x) * wall_speed_, y, z);
+    else
+      add_arriving(q, q, now_.row(0, from_y, from_z) - e[q].x, Real(0), y, z);
+  }
+}
+
+/// Adds w_q [1, e_q] (phi_p + more) to the moments of a row. \param m  the moments that phi_p is made of
+template <class Real>
+void FourMomentLattice<Real>::add_arriving(int q, int p, const Real* m, Real more, int y, int z) {
+  const std::ptrdiff_t stride = now_.stride();
+  const Real weight = Real(d3q19::weight(q)), px = Real(3 * e[p].x), py = Real(3 * e[p].y),
+             pz = Real(3 * e[p].z);
+  const Real to_x = Real(e[q].x), to_y = Real(e[q].y), to_z = Real(e[q].z);
+  Real* to = next_.row(0, y, z);
+#pragma GCC ivdep
   for (int x = 0; x < extent_.nx; ++x) {
-    Real sums[4] = {};
-    for (int q = 0; q < kQ; ++q) {
-      const int from_y = y - e[q].y, from_z = (z - e[q].z + extent_.nz) % extent_.nz;
-      const bool from_wall = from_y < 0 || from_y >= extent_.ny;
-      const Real wall_speed = from_y < 0 ? -wall_speed_ : wall_speed_;
-      const Real value = from_wall
-                             ? phi(rows_of<const Real>(std::as_const(now_), y, z), opposite[q], x) +
-                                   Real(6 * e[q].x) * wall_speed
-                             : phi(rows_of<const Real>(std::as_const(now_), from_y, from_z), q, x - e[q].x);
-      const Real weight = Real(d3q19::weight(q));
-      sums[0] += weight * value;
-      sums[1] += weight * Real(e[q].x) * value;
-      sums[2] += weight * Real(e[q].y) * value;
-      sums[3] += weight * Real(e[q].z) * value;
-    }
-    for (int moment = 0; moment < 4; ++moment) to[moment][x] = sums[moment];
+    const Real value =
+        weight * (m[x] + more + px * m[stride + x] + py * m[2 * stride + x] + pz * m[3 * stride + x]);
+    to[x] += value;
+    to[stride + x] += to_x * value;
+    to[2 * stride + x] += to_y * value;
+    to[3 * stride + x] += to_z * value;
   }
 }
 

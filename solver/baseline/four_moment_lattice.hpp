@@ -10,7 +10,6 @@
 // Four numbers a cell instead of 19; equal to the 19 populations to round-off. Two arrays, since neighbours
 // are read: 4 numbers are read, 4 are fetched to be overwritten and 4 written, 12 an update. No force is
 // added here: it touches the cells around the capsule alone.
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -20,24 +19,27 @@
 
 namespace capstan {
 
-/// rho and g in one array each, row after row, with a periodic ghost at both ends of a row.
+/// Rows of cells, each with its rho and then its three g, and with a periodic ghost at both ends of them.
 template <class Real>
 class MomentField {
  public:
   explicit MomentField(Extent extent);
+
   /// The cell x = 0. \param moment 0: rho, 1 to 3: g
-  Real* row(int moment, int y, int z) { return moments_[moment].data() + offset(y, z); }
-  const Real* row(int moment, int y, int z) const { return moments_[moment].data() + offset(y, z); }
+  Real* row(int moment, int y, int z) { return numbers_.data() + offset(moment, y, z); }
+  const Real* row(int moment, int y, int z) const { return numbers_.data() + offset(moment, y, z); }
+  /// From a row of rho to the same of g_x, and so on.
+  std::ptrdiff_t stride() const { return stride_; }
   void close_row(int y, int z);
 
  private:
-  std::size_t offset(int y, int z) const {
-    return kCacheLine / sizeof(Real) + (std::size_t(z) * ny_ + y) * stride_;
+  std::size_t offset(int moment, int y, int z) const {
+    return kCacheLine / sizeof(Real) + ((std::size_t(z) * ny_ + y) * 4 + moment) * stride_;
   }
 
   int nx_, ny_;
-  std::size_t stride_;
-  std::array<std::vector<Real, HugePageAllocator<Real>>, 4> moments_;
+  std::ptrdiff_t stride_;
+  std::vector<Real, HugePageAllocator<Real>> numbers_;
 };
 
 /// Real: float or double.
@@ -54,6 +56,7 @@ class FourMomentLattice {
  private:
   void step_inner_row(int y, int z);
   void step_row_at_wall(int y, int z);
+  void add_arriving(int q, int p, const Real* m, Real more, int y, int z);
 
   Extent extent_;
   Real wall_speed_;

@@ -90,7 +90,7 @@ bool InPlaceLattice<Real>::comes_from_wall(int q, int y) const {
 template <class Real>
 Real* InPlaceLattice<Real>::place(int q, int y, int z) {
   if (places_ == Places::streamed || comes_from_wall(q, y)) return array(q, y, z);
-  return array(opposite[q], y - e[q].y, (z - e[q].z + extent_.nz) % extent_.nz) - e[q].x;
+  return array(opposite[q], y - e[q].y, periodic(z - e[q].z, extent_.nz)) - e[q].x;
 }
 
 template <class Real>
