@@ -142,6 +142,15 @@ Action declare_compare(CLI::App& command, const Physics& physics) {
   return [files, compare = physics.compare] { return compare(*files); };
 }
 
+/// One of the measurements below `capstan bench`.
+Action declare_benchmark(CLI::App& command, const Benchmark& benchmark) {
+  auto json = std::make_shared<bool>(false);
+  command.add_flag("--json", *json, "print JSON instead of a table");
+  command.footer("On a quiet machine. Threads: OMP_NUM_THREADS, or all cores.\nExample:\n  capstan bench " +
+                 benchmark.name + "\n");
+  return [json, run = benchmark.run] { return run(*json); };
+}
+
 struct Command {
   const char* name;
   const char* summary;
@@ -179,6 +188,12 @@ Action read_arguments(int argc, char** argv, const Physics& physics, int& code) 
   CLI::App* compare =
       app.add_subcommand("compare", "run the same case with all fluid models and tell how far they agree");
   actions.emplace_back(compare, declare_compare(*compare, physics));
+  CLI::App* bench = app.add_subcommand("bench", "measure how fast the solver is on this machine");
+  bench->require_subcommand(1);
+  for (const Benchmark& benchmark : physics.benchmarks) {
+    CLI::App* parser = bench->add_subcommand(benchmark.name, benchmark.summary);
+    actions.emplace_back(parser, declare_benchmark(*parser, benchmark));
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -32,7 +32,7 @@ nlohmann::ordered_json to_json(const Case& c) {
   }
   if (c.fluid == Fluid::quasisteady) f["scheme"] = word(c.fidelity.scheme);
   if (c.can_use_symmetry()) f["symmetry"] = word(c.fidelity.symmetry);
-  if (c.has_composite_grid()) f["precision"] = word(c.fidelity.precision);
+  if (c.has_precision()) f["precision"] = word(c.fidelity.precision);
   j["outputs"] = {{"history_every", c.outputs.history_every},
                   {"shapes_every", c.outputs.shapes_every},
                   {"checkpoint_every", c.outputs.checkpoint_every}};

@@ -68,6 +68,8 @@ struct Case {
   bool has_grid() const { return fluid != Fluid::stokes; }
   /// The quasi-steady flow on a composite of grids, not the paper's own scheme.
   bool has_composite_grid() const { return fluid == Fluid::quasisteady && fidelity.scheme == Scheme::tuned; }
+  /// A lattice whose numbers may be of either precision.
+  bool has_precision() const { return fluid == Fluid::transient || has_composite_grid(); }
   /// A model that can solve for a quarter of the flow.
   bool can_use_symmetry() const { return !has_grid() || has_composite_grid(); }
   bool operator==(const Case&) const = default;

@@ -8,7 +8,7 @@
 namespace capstan {
 
 /// Raised whenever the solver's results change for the same case.
-inline constexpr int kNumericsVersion = 2;
+inline constexpr int kNumericsVersion = 3;
 
 /// SHA-256 over the canonical case and the numerics version; the first 16 hexadecimal digits.
 std::string case_id(const Case& c);

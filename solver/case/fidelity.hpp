@@ -23,7 +23,7 @@ enum class Stepper {
 /// Whether the symmetry of a capsule that starts in the plane of shear is made use of: a quarter of the flow is solved for.
 enum class Symmetry { automatic, none };
 
-/// Of the numbers on the grids of the scheme tuned; forces, positions and observables are always double.
+/// Of the numbers on the grids of the scheme tuned and of the transient lattice; forces, positions and observables are always double.
 enum class Precision { single, twofold };
 
 struct Fidelity {

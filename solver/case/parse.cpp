@@ -241,7 +241,8 @@ void read_knobs(ObjectReader& knobs, const Case& c, Fidelity& fidelity) {
     knobs.without_effect(key, c.has_grid(), "boundary integrals have no grid");
   const bool is_composite = c.fluid == Fluid::quasisteady && fidelity.scheme == Scheme::tuned;
   knobs.without_effect("symmetry", is_composite || !c.has_grid(), "this flow is always solved for as a whole");
-  knobs.without_effect("precision", is_composite, "only the quasi-steady flow's tuned scheme has a choice");
+  knobs.without_effect("precision", is_composite || c.fluid == Fluid::transient,
+                       "only the quasi-steady flow's tuned scheme and the transient flow have a choice");
   knobs.without_effect("kdt", fidelity.stepper == Stepper::adams_bashforth, "rkc2 chooses its steps by their error");
 }
 

@@ -63,6 +63,9 @@ inline CellBox<1> coarsened(const CellBox<1>& fine, double outside) {
 using ScalarBox = CellBox<1>;
 using VectorBox = CellBox<3>;
 
+/// sum += factor * term in the cells that both boxes have.
+void add_scaled(double factor, const VectorBox& term, VectorBox& sum);
+
 /// sum |u - v| / sum |u| over the cells of two boxes of equal size (paper eq. 26).
 double relative_difference(const VectorBox& u, const VectorBox& v);
 

@@ -29,7 +29,8 @@ std::unique_ptr<FlowModel> make_quasisteady(const Case& c, const TriangleMesh& m
 std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, const Points& initial) {
   switch (c.fluid) {
     case Fluid::transient:
-      return std::make_unique<TransientLbm>(c, mesh);
+      if (c.fidelity.precision == Precision::twofold) return std::make_unique<TransientLbm<double>>(c, mesh);
+      return std::make_unique<TransientLbm<float>>(c, mesh);
     case Fluid::stokes:
       return std::make_unique<StokesFlow>(
           mesh, orbits_of(c, initial),

@@ -41,5 +41,17 @@ TEST(ModelsAgree, DeformationsDifferByLessThanTwoPercentWithAViscosityContrast) 
   EXPECT_LT(difference("4", "0.05"), 0.02);
 }
 
+/// D_xy at kt = 1 of the transient flow, with the numbers' precision.
+double deformation(const std::string& precision) {
+  return sphere("4", "0.05", R"("fluid": "transient",
+    "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162, "precision": ")" + precision + "\"}")
+      .back()
+      .D_xy;
+}
+
+TEST(ModelsAgree, SinglePrecisionChangesTheDeformationByLessThanOneInAThousand) {
+  EXPECT_NEAR(deformation("float"), deformation("double"), 1e-3 * deformation("double"));
+}
+
 }  // namespace
 }  // namespace capstan

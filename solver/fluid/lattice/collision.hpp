@@ -31,12 +31,22 @@ inline constexpr MrtRates kPaperRates = {1.19, 1.8, 1.8, 1.8, 1.8, 0, -475.0 / 6
 /// Rate of the stress moments for a kinematic viscosity in lattice units (eq. 15).
 inline double stress_rate(double nu_lu) { return 1 / (3 * nu_lu + 0.5); }
 
+/// Population q of the flow u_x = shear * y with its viscous stress (Chapman-Enskog, rho c_s^2 = 1/3).
+inline double couette_population(int q, double shear, double y, double s_nu) {
+  const double pxy = -shear / (3 * s_nu);
+  return 3 * d3q19::weight(q) * d3q19::e[q].x * shear * y + d3q19::moment_row(d3q19::m_pxy, q) / 4.0 * pxy;
+}
+
 /// One row of cells to collide. Arrays of `count` cells each.
+///
+/// f* may lie where f lies, with any permutation of the arrays: all populations of a cell are read before one
+/// is written.
+template <class Real>
 struct CollisionRow {
-  const double* f[d3q19::kQ];  ///< populations before
-  double* f_star[d3q19::kQ];   ///< populations after
-  const double* s_nu;          ///< stress rate cell by cell
-  const double* force[3];      ///< force a cell, lattice units
+  const Real* f[d3q19::kQ];  ///< populations before
+  Real* f_star[d3q19::kQ];   ///< populations after
+  const Real* s_nu;          ///< stress rate cell by cell
+  const Real* force[3];      ///< force a cell, lattice units
   std::size_t count;
 };
 
@@ -44,6 +54,7 @@ struct CollisionRow {
 /// \param inertia  factor of the products of momentum in m_eq: 1, or 0 for Stokes flow; a coarse multigrid
 /// level
 ///                 that keeps the numbers of the velocity has its Reynolds number restored by 2^level
-void collide(const CollisionRow& row, const MrtRates& rates, double inertia);
+void collide(const CollisionRow<double>& row, const MrtRates& rates, double inertia);
+void collide(const CollisionRow<float>& row, const MrtRates& rates, double inertia);
 
 }  // namespace capstan

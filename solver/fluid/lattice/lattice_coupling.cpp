@@ -21,32 +21,30 @@ LatticeCoupling::LatticeCoupling(const Case& c, const TriangleMesh& mesh, const 
   if (c.has_viscosity_contrast()) viscosity_.emplace(finest_grid(c.fidelity), mesh);
 }
 
-bool LatticeCoupling::put_membrane(const Points& positions, const Points& forces, std::span<Level> levels) {
+bool LatticeCoupling::place_membrane(const Points& positions, const Points& forces) {
   constexpr int kMargin = 1;  // the jump of viscosity is smoothed over two cells
   if (!forces.allFinite() || !boundary_.place(positions, kMargin)) return false;
   for (int c = 0; c < 3; ++c)
     if (boundary_.box_lo()[c] < 0 || boundary_.box_lo()[c] + boundary_.box_size()[c] > cells_) return false;
   force_.reset(boundary_.box_lo(), boundary_.box_size());
   boundary_.spread(forces, units_.force_lu, force_);
-  levels.front().set_force(&force_);
-  if (viscosity_) put_viscosity(positions, levels);
+  if (viscosity_) {
+    nu_.reset(boundary_.box_lo(), boundary_.box_size());
+    viscosity_->update(positions, units_.nu_lu, contrast_ * units_.nu_lu, nu_);
+  }
   return true;
 }
 
-void LatticeCoupling::put_viscosity(const Points& positions, std::span<Level> levels) {
-  nu_.reset(boundary_.box_lo(), boundary_.box_size());
-  viscosity_->update(positions, units_.nu_lu, contrast_ * units_.nu_lu, nu_);
+bool LatticeCoupling::put_membrane(const Points& positions, const Points& forces, std::span<Level> levels) {
+  if (!place_membrane(positions, forces)) return false;
+  levels.front().set_force(&force_);
+  if (!viscosity_) return true;
   ScalarBox on_level = nu_;
   for (Level& level : levels) {
     level.set_viscosity(on_level);
     on_level = coarsened(on_level, units_.nu_lu);
   }
-}
-
-void LatticeCoupling::vertex_velocities(const Level& finest, Points& velocities) {
-  velocity_.reset(boundary_.box_lo(), boundary_.box_size());
-  finest.velocity(velocity_);
-  boundary_.interpolate(velocity_, 1 / units_.velocity_lu, velocities);
+  return true;
 }
 
 }  // namespace capstan

@@ -14,19 +14,28 @@ class LatticeCoupling {
  public:
   LatticeCoupling(const Case& c, const TriangleMesh& mesh, const LatticeUnits& units);
 
-  /// Puts the membrane onto the levels, finest first. False when a position is not finite or too close to the
-  /// boundary of the domain.
+  /// Forces and viscosities in the cells around the membrane. False when a position is not finite or too
+  /// close to the boundary of the domain.
+  bool place_membrane(const Points& positions, const Points& forces);
+  const VectorBox& force() const { return force_; }
+  /// Null for V = 1.
+  const ScalarBox* viscosity() const { return viscosity_ ? &nu_ : nullptr; }
+
+  /// The same, put onto the levels, finest first.
   bool put_membrane(const Points& positions, const Points& forces, std::span<Level> levels);
 
   /// Velocities of the vertices, units of a k.
-  void vertex_velocities(const Level& finest, Points& velocities);
+  template <class Lattice>  // Level, InPlaceLattice
+  void vertex_velocities(const Lattice& finest, Points& velocities) {
+    velocity_.reset(boundary_.box_lo(), boundary_.box_size());
+    finest.velocity(velocity_);
+    boundary_.interpolate(velocity_, 1 / units_.velocity_lu, velocities);
+  }
 
-  /// Why put_membrane was false.
+  /// Why the membrane could not be placed.
   static constexpr const char* kOutside = "the capsule left the domain or its positions are not finite";
 
  private:
-  void put_viscosity(const Points& positions, std::span<Level> levels);
-
   LatticeUnits units_;
   int cells_;        ///< along an edge of the domain
   double contrast_;  ///< V

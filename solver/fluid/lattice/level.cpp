@@ -65,7 +65,7 @@ void Level::sweep(double keep, double blend) {
 }
 
 void Level::collide_row(int y, int z, RowBuffer& row) const {
-  CollisionRow cells{};
+  CollisionRow<double> cells{};
   for (int q = 0; q < kQ; ++q) {
     cells.f[q] = f_[q].row(y, z) - 1;
     cells.f_star[q] = row.f_star(q);
@@ -150,17 +150,11 @@ void Level::correct_from(Level& coarse) {
 
 void Level::set_couette() {
   const auto [nx, ny, nz] = extent();
-  const double shear = 2 * settings_.wall_speed / ny;
-  const double pxy = -shear / (3 * stress_rate(settings_.nu_lu));  // Chapman-Enskog, rho c_s^2 = 1/3
-  for (int q = 0; q < kQ; ++q) {
+  const double shear = 2 * settings_.wall_speed / ny, s_nu = stress_rate(settings_.nu_lu);
+  for (int q = 0; q < kQ; ++q)
     for (int z = 0; z < nz; ++z)
-      for (int y = 0; y < ny; ++y) {
-        const double ux = shear * (y + 0.5 - 0.5 * ny);
-        const double value =
-            3 * d3q19::weight(q) * e[q].x * ux + d3q19::moment_row(d3q19::m_pxy, q) / 4.0 * pxy;
-        std::fill_n(f_[q].row(y, z), nx, value);
-      }
-  }
+      for (int y = 0; y < ny; ++y)
+        std::fill_n(f_[q].row(y, z), nx, couette_population(q, shear, y + 0.5 - 0.5 * ny, s_nu));
 }
 
 void Level::set_viscosity(const ScalarBox& nu_lu) {
@@ -186,12 +180,9 @@ void Level::velocity(VectorBox& box) const {
         const double* f = f_[q].row(y, z) + box.lo()[0];
         for (int x = 0; e_c != 0 && x < nx; ++x) u[x] += e_c * f[x];
       }
-      if (!force_ || !force_->has_row(y, z)) continue;
-      const int first = std::max(box.lo()[0], force_->lo()[0]);
-      const int end = std::min(box.lo()[0] + nx, force_->lo()[0] + force_->size()[0]);
-      for (int x = first; x < end; ++x) u[x - box.lo()[0]] += 0.5 * force_->row(c, y, z)[x - force_->lo()[0]];
     }
   });
+  if (force_) add_scaled(0.5, *force_, box);
 }
 
 double Level::residual_norm() {

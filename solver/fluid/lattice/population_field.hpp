@@ -17,6 +17,9 @@ struct Extent {
   Extent halved() const { return {nx / 2, ny / 2, nz / 2}; }
 };
 
+/// The image inside of an index that lies at most one cell beyond the ends of n cells.
+inline int periodic(int index, int n) { return index < 0 ? index + n : index >= n ? index - n : index; }
+
 /// One number a cell; x from -1 to nx (likewise y, z) with the ghosts. Rows along x are contiguous.
 class CellField {
  public:

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "solver/fluid/lattice/populations_archive.hpp"
-
 namespace capstan {
 namespace {
 
@@ -12,33 +10,37 @@ constexpr double kViscosity = 0.04;
 
 LatticeUnits units_of(const Case& c) { return lattice_units(c.Re, kViscosity, c.fidelity.dx); }
 
-Level make_level(const Case& c) {
+Extent extent_of(const Case& c) {
   const int n = int(std::lround(c.fidelity.box / c.fidelity.dx));
+  return {n, n, n};
+}
+
+LatticeSettings settings_of(const Case& c) {
   const double wall_speed = 0.5 * c.fidelity.box * units_of(c).velocity_lu;
-  return Level({n, n, n}, {.rates = kPaperRates, .nu_lu = kViscosity, .wall_speed = wall_speed});
+  return {.rates = kPaperRates, .nu_lu = kViscosity, .wall_speed = wall_speed};
 }
 
 }  // namespace
 
-TransientLbm::TransientLbm(const Case& c, const TriangleMesh& mesh)
-    : kdt_(units_of(c).kdt), level_{make_level(c)}, coupling_(c, mesh, units_of(c)) {
-  level_.front().set_couette();
+template <class Real>
+TransientLbm<Real>::TransientLbm(const Case& c, const TriangleMesh& mesh)
+    : kdt_(units_of(c).kdt), lattice_(extent_of(c), settings_of(c)), coupling_(c, mesh, units_of(c)) {
+  lattice_.set_couette();
 }
 
-FlowReport TransientLbm::solve(double, const Points& positions, const Points& forces, Points& velocities) {
-  if (!coupling_.put_membrane(positions, forces, level_)) return lost_flow(LatticeCoupling::kOutside);
-  level_.front().step();
-  coupling_.vertex_velocities(level_.front(), velocities);
+template <class Real>
+FlowReport TransientLbm<Real>::solve(double, const Points& positions, const Points& forces,
+                                     Points& velocities) {
+  if (!coupling_.place_membrane(positions, forces)) return lost_flow(LatticeCoupling::kOutside);
+  lattice_.set_force(&coupling_.force());
+  lattice_.set_viscosity(coupling_.viscosity());
+  lattice_.step();
+  coupling_.vertex_velocities(lattice_, velocities);
   if (!velocities.allFinite()) return lost_flow("the flow is not finite");
   return {.iterations = 1};
 }
 
-void TransientLbm::save(StateArchive& archive) const {
-  put_populations(archive, "fluid/f", level_.front().populations());
-}
-
-void TransientLbm::load(const StateArchive& archive) {
-  get_populations(archive, "fluid/f", level_.front().populations());
-}
+template class TransientLbm<float>;
+template class TransientLbm<double>;
 
 }  // namespace capstan

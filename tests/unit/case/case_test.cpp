@@ -172,6 +172,8 @@ TEST(ParseCase, OnlyAFlowThatHasTheChoiceTakesASymmetryOrAPrecision) {
   EXPECT_EQ(c.fidelity.precision, Precision::twofold);
   EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", {{"symmetry", "none"}}}}).fidelity.symmetry,
             Symmetry::none);
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "transient"}, {"fidelity", {{"precision", "double"}}}}).fidelity.precision,
+            Precision::twofold);
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"scheme", "paper"}, {"precision", "double"}}}}),
               ElementsAre("/fidelity/precision"));
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fluid", "transient"}, {"fidelity", {{"symmetry", "none"}}}}),
@@ -193,6 +195,7 @@ const json kManyCases[] = {
     {{"Ca", 1.0 / 3}, {"shape", "oblate"}, {"aspect", 0.9}},
     {{"Ca", 0.1}, {"Re", 0.25}},
     {{"Ca", 0.1}, {"fidelity", "paper"}},
+    {{"Ca", 0.1}, {"fluid", "transient"}, {"fidelity", {{"precision", "double"}}}},
     {{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", "fine"}},
     {{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", {{"stepper", "ab2"}}}},
     with(kRedBloodCell, "/c0", "uniform"),

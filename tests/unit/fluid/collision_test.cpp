@@ -4,6 +4,7 @@
 
 #include <array>
 #include <random>
+#include <vector>
 
 #include "tests/support/tuned_rates.hpp"
 
@@ -15,15 +16,20 @@ using testing::kTunedRates;
 using namespace d3q19;
 using Cell = std::array<double, kQ>;
 
+/// The collision of one cell, with its populations in Real.
+template <class Real = double>
 Cell collided(const Cell& f, double s_nu, std::array<double, 3> force, const MrtRates& rates,
               double inertia) {
-  Cell out{};
-  CollisionRow row{};
-  for (int q = 0; q < kQ; ++q) row.f[q] = &f[q], row.f_star[q] = &out[q];
-  row.s_nu = &s_nu;
-  for (int c = 0; c < 3; ++c) row.force[c] = &force[c];
+  std::array<Real, kQ> before{}, after{};
+  std::array<Real, 4> coefficients = {Real(s_nu), Real(force[0]), Real(force[1]), Real(force[2])};
+  CollisionRow<Real> row{};
+  for (int q = 0; q < kQ; ++q) before[q] = Real(f[q]), row.f[q] = &before[q], row.f_star[q] = &after[q];
+  row.s_nu = &coefficients[0];
+  for (int c = 0; c < 3; ++c) row.force[c] = &coefficients[1 + c];
   row.count = 1;
   collide(row, rates, inertia);
+  Cell out{};
+  for (int q = 0; q < kQ; ++q) out[q] = double(after[q]);
   return out;
 }
 
@@ -95,14 +101,46 @@ TEST(D3Q19, OppositeDirectionsCancel) {
   }
 }
 
+constexpr MrtRates kRatesOfTheirOwn = {1.1, 1.2, 1.3, 1.4, 1.5, 0.3, -0.7, -0.2};
+
 TEST(Collision, EqualsTheMatrixFormOfThePaper) {
-  for (const MrtRates& rates : {kPaperRates, kTunedRates}) {
+  const std::array<double, 3> force = {0.01, -0.02, 0.03};
+  for (const MrtRates& rates : {kPaperRates, kTunedRates, kRatesOfTheirOwn}) {
     const Cell f = random_cell(1);
-    const std::array<double, 3> force = {0.01, -0.02, 0.03};
     const Cell expected = collided_by_matrices(f, 1.3, force, rates, 2);
-    const Cell found = collided(f, 1.3, force, rates, 2);
-    for (int q = 0; q < kQ; ++q) EXPECT_NEAR(found[q], expected[q], 1e-15) << q;
+    const Cell found = collided(f, 1.3, force, rates, 2), in_float = collided<float>(f, 1.3, force, rates, 2);
+    for (int q = 0; q < kQ; ++q) {
+      EXPECT_NEAR(found[q], expected[q], 1e-15) << q;
+      EXPECT_NEAR(in_float[q], expected[q], 2e-7) << q;
+    }
   }
+}
+
+/// 37 cells, so that there are whole vectors and a rest.
+template <class Real>
+void expect_row_of_cells_equals_its_cells() {
+  constexpr int kCells = 37;
+  std::vector<Cell> f, expected;
+  std::vector<Real> numbers(kQ * kCells), zero(kCells, 0), s_nu(kCells);
+  for (int x = 0; x < kCells; ++x) {
+    f.push_back(random_cell(x));
+    s_nu[x] = Real(1 + 0.01 * x);
+    expected.push_back(collided<Real>(f[x], double(s_nu[x]), {0, 0, 0}, kPaperRates, 1));
+    for (int q = 0; q < kQ; ++q) numbers[q * kCells + x] = Real(f[x][q]);
+  }
+  CollisionRow<Real> row{};
+  for (int q = 0; q < kQ; ++q) row.f[q] = row.f_star[opposite[q]] = &numbers[q * kCells];
+  row.s_nu = s_nu.data();
+  for (const Real*& component : row.force) component = zero.data();
+  row.count = kCells;
+  collide(row, kPaperRates, 1);
+  for (int x = 0; x < kCells; ++x)
+    for (int q = 0; q < kQ; ++q) EXPECT_EQ(double(row.f_star[q][x]), expected[x][q]) << x << " " << q;
+}
+
+TEST(Collision, OfARowInPlaceEqualsThatOfItsCells) {
+  expect_row_of_cells_equals_its_cells<float>();
+  expect_row_of_cells_equals_its_cells<double>();
 }
 
 TEST(Collision, ConservesMassAndAddsTheForceToTheMomentum) {

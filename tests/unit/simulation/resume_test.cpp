@@ -55,6 +55,13 @@ TEST(Resume, TransientFlowGoesOnToTheLastBit) {
     "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162}})"));
 }
 
+TEST(Resume, TransientFlowInDoublePrecisionGoesOnToTheLastBit) {
+  expect_resumed_equals_uninterrupted(parsed_case(R"({
+    "Ca": 0.1, "V": 2, "fluid": "transient", "until": {"kt": 0.05},
+    "outputs": {"history_every": 0.01, "checkpoint_every": 51},
+    "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162, "precision": "double"}})"));
+}
+
 TEST(Resume, StokesFlowWithStepsAfterTheirErrorGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4, "fluid": "stokes",

@@ -1,0 +1,11 @@
+#pragma once
+// The speed of the standard method, against which speed-ups are stated: what `capstan bench kernel` does.
+
+namespace capstan {
+
+/// Million updates a second of both baselines, in single and double precision, in and out of the caches, on
+/// one core and on all that OpenMP has, each with its share of the memory bandwidth measured beside it.
+/// Prints a table, or JSON. \return the exit code of schema/exit_codes.md
+int bench_kernel(bool json);
+
+}  // namespace capstan

@@ -1,0 +1,35 @@
+#pragma once
+// Memory for arrays that are swept from end to end: aligned to cache lines, and on pages of 2 MB where the
+// kernel has them (a sweep over 19 arrays would otherwise wait for address translation).
+#include <sys/mman.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace capstan {
+
+inline constexpr std::size_t kCacheLine = 64;
+
+template <class T>
+struct HugePageAllocator {
+  using value_type = T;
+  HugePageAllocator() = default;
+  template <class U>
+  HugePageAllocator(const HugePageAllocator<U>&) {}
+
+  T* allocate(std::size_t count) {
+    constexpr std::size_t kHugePage = std::size_t(2) << 20;
+    const std::size_t alignment = count * sizeof(T) >= kHugePage ? kHugePage : kCacheLine;
+    const std::size_t bytes = (count * sizeof(T) + alignment - 1) / alignment * alignment;
+    void* memory = std::aligned_alloc(alignment, bytes);
+    if (!memory) throw std::bad_alloc();
+    if (alignment == kHugePage) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish; small pages serve too
+    return static_cast<T*>(memory);
+  }
+  void deallocate(T* memory, std::size_t) { std::free(memory); }
+
+  bool operator==(const HugePageAllocator&) const = default;
+};
+
+}  // namespace capstan
