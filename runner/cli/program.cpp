@@ -30,6 +30,10 @@ Action declare_serve(CLI::App& command) {
   command.add_option("--listen", arguments->listen, "an address of this machine; port 0 takes any free one")
       ->type_name("HOST:PORT")
       ->capture_default_str();
+  command
+      .add_option("--host", arguments->hosts,
+                  "a name under which clients ask, besides localhost and addresses")
+      ->type_name("NAME");
   command.add_option("--cores", arguments->cores, "cases that run side by side")
       ->check(CLI::Range(1, 1024))
       ->type_name("N")
@@ -43,6 +47,9 @@ Action declare_serve(CLI::App& command) {
       ->type_name("S");
   command.footer(
       "Ctrl-C or SIGTERM: running cases write a checkpoint, and the next start goes on from there.\n"
+      "A token in the environment (CAPSTAN_TOKEN, or a file named by CAPSTAN_TOKEN_FILE) is asked of every "
+      "client;\n"
+      "addresses that other machines can reach need one.\n"
       "Example:\n  capstan serve --data /srv/capsules --cores 4\n");
   return [arguments] { return serve(*arguments); };
 }
