@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -30,7 +31,22 @@ bool wait_for(int socket, short events, Steady::time_point until) {
 
 bool is_to_be_tried_again(int error) { return error == EAGAIN || error == EINTR; }
 
+std::string peer_of(int socket) {
+  sockaddr_storage peer{};
+  socklen_t size = sizeof peer;
+  if (getpeername(socket, reinterpret_cast<sockaddr*>(&peer), &size) != 0) return "-";
+  char text[INET6_ADDRSTRLEN] = "-";
+  if (peer.ss_family == AF_INET)
+    inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in&>(peer).sin_addr, text, sizeof text);
+  if (peer.ss_family == AF_INET6)
+    inet_ntop(AF_INET6, &reinterpret_cast<const sockaddr_in6&>(peer).sin6_addr, text, sizeof text);
+  return text;
+}
+
 }  // namespace
+
+Connection::Connection(int socket, Steady::time_point read_until)
+    : socket_(socket), peer_(peer_of(socket)), read_until_(read_until) {}
 
 Connection::~Connection() { close(socket_); }
 
@@ -107,6 +123,11 @@ void Connection::refuse(const Response& response, bool is_head_request) {
   write(text);
 }
 
+bool Connection::has_unread() const {
+  int bytes = 0;
+  return ioctl(socket_, FIONREAD, &bytes) == 0 && bytes > 0;
+}
+
 void Connection::absorb() {
   constexpr milliseconds kIdle{250};
   constexpr std::size_t kMost = 16 << 20;
@@ -119,23 +140,6 @@ void Connection::absorb() {
     if (count <= 0) return;
     taken += static_cast<std::size_t>(count);
   }
-}
-
-void Connection::get_remote_ip_and_port(std::string& ip, int& port) const {
-  sockaddr_storage peer{};
-  socklen_t size = sizeof peer;
-  char text[INET6_ADDRSTRLEN] = "-";
-  if (getpeername(socket_, reinterpret_cast<sockaddr*>(&peer), &size) != 0) return;
-  if (peer.ss_family == AF_INET) {
-    const auto& v4 = reinterpret_cast<const sockaddr_in&>(peer);
-    inet_ntop(AF_INET, &v4.sin_addr, text, sizeof text);
-    port = ntohs(v4.sin_port);
-  } else if (peer.ss_family == AF_INET6) {
-    const auto& v6 = reinterpret_cast<const sockaddr_in6&>(peer);
-    inet_ntop(AF_INET6, &v6.sin6_addr, text, sizeof text);
-    port = ntohs(v6.sin6_port);
-  }
-  ip = text;
 }
 
 }  // namespace capstan

@@ -22,7 +22,7 @@ class Connection : public httplib::Stream {
   using Steady = std::chrono::steady_clock;
 
   /// Owns the socket. \param read_until  however much has come by then, no more is read
-  Connection(int socket, Steady::time_point read_until) : socket_(socket), read_until_(read_until) {}
+  Connection(int socket, Steady::time_point read_until);
   ~Connection() override;
 
   ReceivedHead receive_head();
@@ -31,6 +31,8 @@ class Connection : public httplib::Stream {
 
   /// Writes an answer that the library has no part in.
   void refuse(const Response& response, bool is_head_request);
+  /// Something has come that nobody has read.
+  bool has_unread() const;
   /// Takes what is still coming in for a moment: closing upon unread bytes would reset the connection, and
   /// the client might never see its answer.
   void absorb();
@@ -40,12 +42,13 @@ class Connection : public httplib::Stream {
   ssize_t read(char* to, std::size_t size) override;
   ssize_t write(const char* from, std::size_t size) override;
   using httplib::Stream::write;
-  void get_remote_ip_and_port(std::string& ip, int& port) const override;
+  void get_remote_ip_and_port(std::string& ip, int&) const override { ip = peer_; }
   void get_local_ip_and_port(std::string&, int&) const override {}
   /// The library asks for it only to refuse descriptors from 1024 on, which select() could not take.
   socket_t socket() const override { return 0; }
 
   // For the log:
+  const std::string& peer() const { return peer_; }
   int status() const { return status_; }
   std::size_t bytes_written() const { return bytes_written_; }
 
@@ -53,6 +56,7 @@ class Connection : public httplib::Stream {
   ssize_t receive(char* to, std::size_t size);
 
   int socket_;
+  std::string peer_;  ///< its address, "-" if it has none; asked for at once, as one that is gone has none
   Steady::time_point read_until_;
   std::string received_;      ///< the head and what came with it
   std::size_t position_ = 0;  ///< of read() in that

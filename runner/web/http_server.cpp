@@ -35,6 +35,11 @@ void put_fields(const Head& head, httplib::Request& in) {
     if (!equal_ignoring_case(name, "Accept-Encoding")) in.headers.emplace(name, value);
 }
 
+/// More may be on its way: that of a request whose head is not known, too.
+bool announces_body(const Head& head) {
+  return head.method.empty() || head.content_length > 0 || head.count("Transfer-Encoding") > 0;
+}
+
 /// One daemon a port: SO_REUSEPORT, the library's default, would let a second one share it unnoticed.
 void allow_quick_restart(int socket) {
   const int yes = 1;
@@ -136,11 +141,11 @@ void HttpServer::serve(const Accepted& accepted) {
   Head head;
   if (const auto refusal = refusal_of(received, head)) {
     connection.refuse(*refusal, head.method == "HEAD");
-    connection.absorb();
   } else {
     pass_on(connection, received, head);
   }
   report(connection, head, accepted);
+  if (connection.has_unread() || (connection.status() >= 400 && announces_body(head))) connection.absorb();
 }
 
 std::optional<Response> HttpServer::refusal_of(const ReceivedHead& received, Head& head) const {
@@ -189,13 +194,10 @@ void HttpServer::report(const Connection& connection, const Head& head, const Ac
   constexpr std::size_t kLongest = 200;
   const std::chrono::duration<double, std::milli> time = Steady::now() - accepted.time;
   traffic().count(connection.status(), time);
-  std::string ip = "-";
-  int port = 0;
-  connection.get_remote_ip_and_port(ip, port);
   char numbers[100];
   std::snprintf(numbers, sizeof numbers, " %d %zu B %.1f ms", connection.status(), connection.bytes_written(),
                 time.count());
-  log_.write(timestamp(SystemClock().now().time_since_epoch().count()) + " " + ip + " " +
+  log_.write(timestamp(SystemClock().now().time_since_epoch().count()) + " " + connection.peer() + " " +
              (head.method.empty() ? "-" : head.method) + " " +
              (head.target.empty() ? "-" : head.target.substr(0, kLongest)) + numbers);
 }
