@@ -43,13 +43,14 @@ CommandResult run_capstan(const std::string& arguments) {
   return {WEXITSTATUS(status), content(out), content(errors)};
 }
 
-Daemon::Daemon(const std::filesystem::path& data, const std::vector<std::string>& more) {
+Daemon::Daemon(const std::filesystem::path& data, const std::vector<std::string>& more,
+               const std::string& listen) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
-  std::vector<std::string> words = {"capstan", "serve", "--listen", "127.0.0.1:0",
+  std::vector<std::string> words = {"capstan", "serve", "--listen", listen,
                                     "--cores", "3",     "--data",   data.string()};
   words.insert(words.end(), more.begin(), more.end());
   std::vector<char*> arguments;

@@ -21,7 +21,8 @@ CommandResult run_capstan(const std::string& arguments);
 class Daemon {
  public:
   /// Returns when it answers. \param more  further arguments of `capstan serve`
-  explicit Daemon(const std::filesystem::path& data, const std::vector<std::string>& more = {});
+  explicit Daemon(const std::filesystem::path& data, const std::vector<std::string>& more = {},
+                  const std::string& listen = "127.0.0.1:0");
   ~Daemon();
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;
