@@ -13,8 +13,9 @@ int serve(const ServeArguments& arguments) {
   const Address address = parse_address(arguments.listen);
   const Access access{arguments.hosts, token_of_environment()};
   if (!is_loopback(address) && !access.token)
-    throw std::invalid_argument("other machines can reach " + address.host +
-                                ": set CAPSTAN_TOKEN or CAPSTAN_TOKEN_FILE, which they then have to know");
+    throw std::invalid_argument("refusing to listen on " + address.host +
+                                ", where other machines can reach it, without a token: set CAPSTAN_TOKEN or "
+                                "CAPSTAN_TOKEN_FILE");
   hold_signals();
   const SystemClock clock;
   const DataDirectory data(arguments.data);
