@@ -69,7 +69,8 @@ bool RawConnection::closes_within(std::chrono::milliseconds time) {
 std::string RawConnection::receive_all() { return receive(static_cast<std::size_t>(-1)); }
 
 int status_of(std::string_view answer) {
-  constexpr std::string_view kStart = "HTTP/1.1 ";
+  constexpr std::string_view kStart = "HTTP/1.1 ", kContinue = "HTTP/1.1 100 Continue\r\n\r\n";
+  if (answer.starts_with(kContinue)) answer.remove_prefix(kContinue.size());
   return answer.starts_with(kStart) ? std::atoi(std::string(answer.substr(kStart.size(), 3)).c_str()) : 0;
 }
 

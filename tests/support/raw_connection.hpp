@@ -33,7 +33,7 @@ class RawConnection {
   int socket_;
 };
 
-/// The status of the answer, 0 if there is none.
+/// The status of the answer, 0 if there is none. That 100 came before it (Continue) does not count.
 int status_of(std::string_view answer);
 
 /// A well-formed request.
