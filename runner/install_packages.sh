@@ -1,8 +1,9 @@
 #!/bin/sh
-# Installs the Debian packages Capstan is built with, if any is missing (as root, or through sudo).
+# Installs the Debian packages Capstan is built with, and those in the arguments, if any is missing (as root, or
+# through sudo).
 set -eu
 packages="g++ cmake ninja-build pkg-config libeigen3-dev libhdf5-dev zlib1g-dev libsqlite3-dev libcpp-httplib-dev nlohmann-json3-dev
- libssl-dev libcli11-dev libgtest-dev libgmock-dev libbenchmark-dev curl"
+ libssl-dev libcli11-dev libgtest-dev libgmock-dev libbenchmark-dev curl $*"
 missing=""
 for package in $packages; do
   case "$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null)" in *"ok installed") ;; *) missing="$missing $package" ;; esac

@@ -38,9 +38,9 @@ void for_each_row(Visit visit) {
 }
 
 void print_row(const Row& row) {
-  std::printf("| %-14s | %-6s | %4d^3 | %7d | %6.0f | %7.0f | %6.1f | %4.0f %% |\n", word(row.baseline).data(),
-              row.precision(), row.n, row.threads, 1e-6 * row.speed.updates, row.speed.bytes,
-              1e-9 * row.speed.bandwidth, 100 * row.speed.share());
+  std::printf("| %-14s | %-6s | %4d^3 | %7d | %6.0f | %7.0f | %6.1f | %4.0f %% |\n",
+              word(row.baseline).data(), row.precision(), row.n, row.threads, 1e-6 * row.speed.updates,
+              row.speed.bytes, 1e-9 * row.speed.bandwidth, 100 * row.speed.share());
   std::fflush(stdout);
 }
 

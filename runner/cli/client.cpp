@@ -2,6 +2,8 @@
 
 #include <httplib.h>
 
+#include "runner/web/access.hpp"
+
 namespace capstan {
 namespace {
 
@@ -32,6 +34,7 @@ Client::Client(const std::string& server)
   if (!http_->is_valid())
     throw std::invalid_argument("\"" + server + "\" is no URL such as " + kDefaultServer);
   http_->set_read_timeout(60);
+  if (const auto token = token_of_environment()) http_->set_bearer_token_auth(*token);
 }
 
 Client::~Client() = default;

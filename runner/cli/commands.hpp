@@ -2,6 +2,7 @@
 // The commands, with their arguments read. Each returns the exit code.
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "runner/cli/client.hpp"
 
@@ -10,8 +11,9 @@ namespace capstan {
 struct ServeArguments {
   std::string data = "capstan-data";
   std::string listen = "127.0.0.1:8017";
-  double memory_mb = 0;  ///< that a case may take; 0: as much as it wants
-  int wall_seconds = 0;  ///< that an attempt may take; 0: as long as it wants
+  std::vector<std::string> hosts = {};  ///< names of this server besides its addresses
+  double memory_mb = 0;                 ///< that a case may take; 0: as much as it wants
+  int wall_seconds = 0;                 ///< that an attempt may take; 0: as long as it wants
   int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 int serve(const ServeArguments& arguments);

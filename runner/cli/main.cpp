@@ -1,4 +1,8 @@
+#include "runner/bench/cycle.hpp"
+#include "runner/bench/estimate.hpp"
 #include "runner/bench/kernel.hpp"
+#include "runner/bench/scaling.hpp"
+#include "runner/bench/table1.hpp"
 #include "runner/cli/program.hpp"
 #include "runner/execute/compare.hpp"
 #include "runner/execute/worker.hpp"
@@ -9,5 +13,11 @@ int main(int argc, char** argv) {
       argc, argv,
       {.solve = solve_case,
        .compare = compare_models,
-       .benchmarks = {{"kernel", "the standard method against the memory's pace", bench_kernel}}});
+       .estimate = estimate_study,
+       .benchmarks = {
+           {"kernel", "the standard method against the memory's pace", bench_kernel},
+           {"cycle", "a multigrid cycle on a uniform grid, a composite, a quarter; the parts of a step",
+            bench_cycle},
+           {"table1", "the speed-up over the standard method: the paper's Table I and Fig. 18", bench_table1},
+           {"scaling", "time and memory by resolution, threads and cases side by side", bench_scaling}}});
 }

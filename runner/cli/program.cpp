@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,10 @@ Action declare_serve(CLI::App& command) {
   command.add_option("--listen", arguments->listen, "an address of this machine; port 0 takes any free one")
       ->type_name("HOST:PORT")
       ->capture_default_str();
+  command
+      .add_option("--host", arguments->hosts,
+                  "a name under which clients ask, besides localhost and addresses")
+      ->type_name("NAME");
   command.add_option("--cores", arguments->cores, "cases that run side by side")
       ->check(CLI::Range(1, 1024))
       ->type_name("N")
@@ -43,6 +48,9 @@ Action declare_serve(CLI::App& command) {
       ->type_name("S");
   command.footer(
       "Ctrl-C or SIGTERM: running cases write a checkpoint, and the next start goes on from there.\n"
+      "A token in the environment (CAPSTAN_TOKEN, or a file named by CAPSTAN_TOKEN_FILE) is asked of every "
+      "client;\n"
+      "addresses that other machines can reach need one.\n"
       "Example:\n  capstan serve --data /srv/capsules --cores 4\n");
   return [arguments] { return serve(*arguments); };
 }
@@ -142,6 +150,28 @@ Action declare_compare(CLI::App& command, const Physics& physics) {
   return [files, compare = physics.compare] { return compare(*files); };
 }
 
+Action declare_estimate(CLI::App& command, const Physics& physics) {
+  struct Arguments {
+    std::string file;
+    int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    bool json = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  command.add_option("FILE", arguments->file, "the study")->required();
+  command.add_option("--cores", arguments->cores, "cases that will run side by side")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--json", arguments->json, "print JSON instead of a table");
+  command.footer(
+      "Runs some of the cases for a moment, two seconds in all; nothing is submitted.\n"
+      "Example:\n  capstan estimate studies/fig17/study.json\n");
+  return [arguments, estimate = physics.estimate] {
+    const auto study = read_study_file(arguments->file);
+    return study ? estimate(*study, arguments->cores, arguments->json) : kExitInvalidInput;
+  };
+}
+
 /// One of the measurements below `capstan bench`.
 Action declare_benchmark(CLI::App& command, const Benchmark& benchmark) {
   auto json = std::make_shared<bool>(false);
@@ -188,6 +218,8 @@ Action read_arguments(int argc, char** argv, const Physics& physics, int& code) 
   CLI::App* compare =
       app.add_subcommand("compare", "run the same case with all fluid models and tell how far they agree");
   actions.emplace_back(compare, declare_compare(*compare, physics));
+  CLI::App* estimate = app.add_subcommand("estimate", "how long a study takes on this machine, before it is submitted");
+  actions.emplace_back(estimate, declare_estimate(*estimate, physics));
   CLI::App* bench = app.add_subcommand("bench", "measure how fast the solver is on this machine");
   bench->require_subcommand(1);
   for (const Benchmark& benchmark : physics.benchmarks) {

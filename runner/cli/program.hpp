@@ -7,6 +7,8 @@
 
 namespace capstan {
 
+struct Study;
+
 /// A measurement of `capstan bench`.
 struct Benchmark {
   std::string name, summary;
@@ -19,7 +21,9 @@ struct Physics {
   /// `capstan solve`: one case in its directory
   std::function<int(const std::filesystem::path& case_file, const std::filesystem::path& out)> solve;
   /// `capstan compare`: the fluid models on the same cases
-  std::function<int(const std::vector<std::filesystem::path>& case_files)> compare;
+  std::function<int(const std::vector<std::filesystem::path>& case_files)> compare = nullptr;
+  /// `capstan estimate`: what a study costs on this machine; the study file is valid
+  std::function<int(const Study& study, int cores, bool json)> estimate = nullptr;
   /// `capstan bench`
   std::vector<Benchmark> benchmarks = {};
 };

@@ -1,4 +1,5 @@
 #include <iostream>
+#include <stdexcept>
 
 #include "runner/cli/commands.hpp"
 #include "runner/execute/exit_code.hpp"
@@ -9,7 +10,12 @@
 namespace capstan {
 
 int serve(const ServeArguments& arguments) {
-  const Address address = parse_loopback_address(arguments.listen);
+  const Address address = parse_address(arguments.listen);
+  const Access access{arguments.hosts, token_of_environment()};
+  if (!is_loopback(address) && !access.token)
+    throw std::invalid_argument("refusing to listen on " + address.host +
+                                ", where other machines can reach it, without a token: set CAPSTAN_TOKEN or "
+                                "CAPSTAN_TOKEN_FILE");
   hold_signals();
   const SystemClock clock;
   const DataDirectory data(arguments.data);
@@ -17,7 +23,7 @@ int serve(const ServeArguments& arguments) {
   Service service(data, executor, clock, arguments.cores,
                   {arguments.memory_mb, std::chrono::seconds(arguments.wall_seconds)});
   service.on_change(wake_loop);
-  const Server server(service, address);
+  const Server server(service, address, access);
   std::cout << "Capstan serves " << url_of(server.address()) << " with " << arguments.cores
             << (arguments.cores == 1 ? " core" : " cores") << ", data in " << data.path().string()
             << std::endl;

@@ -31,7 +31,7 @@ std::string metrics_text(Database& database, std::size_t cores) {
          counted(database, "capstan_studies", "SELECT count(*) FROM schedule") +
          described("capstan_attempts_total", "counter", "Attempts by the way they ended.") +
          counted(database, "capstan_attempts_total", "ending",
-                 "SELECT coalesce(ending, 'open'), count(*) FROM attempts GROUP BY 1") +
+                 "SELECT ending, count(*) FROM attempts WHERE ending IS NOT NULL GROUP BY 1") +
          described("capstan_cores", "gauge", "Cases that may run side by side.") + "capstan_cores " +
          std::to_string(cores) + "\n";
 }

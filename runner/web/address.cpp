@@ -5,21 +5,22 @@
 
 namespace capstan {
 
-Address parse_loopback_address(const std::string& text) {
+Address parse_address(const std::string& text) {
   const std::size_t colon = text.rfind(':');
-  if (colon == std::string::npos)
+  if (colon == std::string::npos || colon == 0)
     throw std::invalid_argument("\"" + text + "\" is no address: give HOST:PORT");
   Address address{text.substr(0, colon), 0};
   const char* end = text.data() + text.size();
   const auto read = std::from_chars(text.data() + colon + 1, end, address.port);
   if (read.ec != std::errc() || read.ptr != end || address.port < 0 || address.port > 65535)
     throw std::invalid_argument("\"" + text + "\" has no port from 0 to 65535");
-  if (address.host == "[::1]") address.host = "::1";
-  if (address.host != "127.0.0.1" && address.host != "::1" && address.host != "localhost")
-    throw std::invalid_argument(
-        "refusing to listen on " + address.host +
-        ": without access control only this machine may ask (127.0.0.1, ::1, localhost)");
+  if (address.host.starts_with('[') && address.host.ends_with(']'))
+    address.host = address.host.substr(1, address.host.size() - 2);
   return address;
+}
+
+bool is_loopback(const Address& address) {
+  return address.host == "127.0.0.1" || address.host == "::1" || address.host == "localhost";
 }
 
 std::string url_of(const Address& address) {

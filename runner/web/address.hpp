@@ -9,9 +9,11 @@ struct Address {
   int port = 0;  ///< 0: any free one
 };
 
-/// Reads "127.0.0.1:8017" or "[::1]:8017". Throws std::invalid_argument, also for an address that other
-/// machines could reach: nothing here knows who asks.
-Address parse_loopback_address(const std::string& text);
+/// Reads "127.0.0.1:8017" or "[::1]:8017". Throws std::invalid_argument.
+Address parse_address(const std::string& text);
+
+/// Nobody but this machine can reach it.
+bool is_loopback(const Address& address);
 
 std::string url_of(const Address& address);
 

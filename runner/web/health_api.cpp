@@ -5,6 +5,7 @@
 #include "runner/results/metrics.hpp"
 #include "runner/web/api.hpp"
 #include "runner/web/openapi.hpp"
+#include "runner/web/traffic.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {
@@ -20,11 +21,15 @@ Response get_health(Service& service, const Request&, const std::string&) {
                              {"pid", getpid()}});
 }
 
-/// 503 when a submission could not be kept: the database cannot be read, or its disk is almost full.
+/// 503 when a submission could not be kept: the database cannot be read or written, or its disk is almost
+/// full.
 Response get_readiness(Service& service, const Request&, const std::string&) try {
   constexpr std::uintmax_t kLeast = 100'000'000;  // bytes
   Database database = service.reader();
   database.query("SELECT 1 FROM schedule").step();
+  for (const auto& path : {service.data().path(), service.data().database()})
+    if (access(path.c_str(), W_OK) != 0)
+      return problem(503, "Not ready", path.string() + " cannot be written");
   const std::uintmax_t free = std::filesystem::space(service.data().path()).available;
   if (free < kLeast) return problem(503, "Not ready", "less than 100 MB are free in the data directory");
   return json_response(200, {{"status", "ready"}, {"free_bytes", free}});
@@ -34,7 +39,10 @@ Response get_readiness(Service& service, const Request&, const std::string&) try
 
 Response get_metrics(Service& service, const Request&, const std::string&) {
   Database database = service.reader();
-  return {200, "text/plain; version=0.0.4", metrics_text(database, service.cores()), {}};
+  return {200,
+          "text/plain; version=0.0.4; charset=utf-8",
+          metrics_text(database, service.cores()) + traffic().metrics_text(),
+          {}};
 }
 
 Response get_openapi(Service&, const Request&, const std::string&) {

@@ -1,7 +1,9 @@
 #pragma once
 // HTTP without a network: what a request asks and what a response says.
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +20,7 @@ struct Request {
   std::string body;
   std::string idempotency_key = {};  ///< the header of that name
   std::string if_none_match = {};    ///< the header of that name
+  std::string last_event_id = {};    ///< the header of that name
 };
 
 struct Response {
@@ -25,6 +28,9 @@ struct Response {
   std::string content_type;
   std::string body;
   std::map<std::string, std::string> headers;
+  /// Of a body that comes in parts, instead of `body`: waits for a moment at most and gives what is new,
+  /// maybe nothing; no text at all is the end.
+  std::function<std::optional<std::string>()> next = {};
 };
 
 Response json_response(int status, const nlohmann::ordered_json& body);

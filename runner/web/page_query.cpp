@@ -1,40 +1,72 @@
 #include "runner/web/page_query.hpp"
 
+#include <array>
 #include <charconv>
+
+#include "solver/case/content_id.hpp"
 
 namespace capstan {
 namespace {
 
-std::optional<std::int64_t> whole_number(const std::string& text) {
-  std::int64_t number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+constexpr std::size_t kListDigits = 8;
+
+template <class Number>
+std::optional<Number> number_of(std::string_view text, int base) {
+  Number number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number, base);
   if (read.ec != std::errc() || read.ptr != text.data() + text.size() || number < 0) return std::nullopt;
   return number;
 }
 
+std::string name_of_list(const std::string& path, const CaseFilter& filter) {
+  std::string name = path;
+  for (const auto& [key, value] : filter) name += '\n' + key + '=' + value;
+  return sha256_hex(name).substr(0, kListDigits);
+}
+
+/// Of the list, and where in it.
+std::string cursor(const std::string& list, std::int64_t position) {
+  std::array<char, 20> digits{};
+  const auto end = std::to_chars(digits.begin(), digits.end(), position, 16).ptr;
+  return list + std::string(digits.data(), end);
+}
+
+std::optional<std::int64_t> position(const std::string& list, const std::string& cursor) {
+  if (!cursor.starts_with(list)) return std::nullopt;
+  return number_of<std::int64_t>(std::string_view(cursor).substr(list.size()), 16);
+}
+
+void read_limit(const std::string& value, PageQuery& page) {
+  const auto limit = number_of<int>(value, 10);
+  if (limit && *limit >= 1 && *limit <= PageRequest::kMost)
+    page.wanted.limit = *limit;
+  else
+    page.issues.push_back({"limit", "must be a whole number from 1 to 1000"});
+}
+
+void read_after(const std::string& value, PageQuery& page) {
+  page.wanted.after = position(page.list, value);
+  if (!page.wanted.after)
+    page.issues.push_back({"after", "must be the \"next\" of a page of this very list"});
+}
+
 }  // namespace
 
-PageQuery read_page_query(const std::vector<std::pair<std::string, std::string>>& query) {
+PageQuery read_page_query(const Request& request) {
   PageQuery page;
-  for (const auto& [key, value] : query) {
-    if (key != "limit" && key != "after") {
-      page.rest.emplace_back(key, value);
-      continue;
-    }
-    const auto number = whole_number(value);
-    if (key == "after" && number)
-      page.wanted.after = number;
-    else if (key == "limit" && number && *number >= 1 && *number <= PageRequest::kMost)
-      page.wanted.limit = static_cast<int>(*number);
-    else
-      page.issues.push_back({key, key == "after" ? "must be the \"next\" of another page"
-                                                 : "must be a whole number from 1 to 1000"});
+  for (const auto& [key, value] : request.query)
+    if (key != "limit" && key != "after") page.rest.emplace_back(key, value);
+  page.list = name_of_list(request.path, page.rest);
+  for (const auto& [key, value] : request.query) {
+    if (key == "limit") read_limit(value, page);
+    if (key == "after") read_after(value, page);
   }
   return page;
 }
 
-nlohmann::ordered_json with_next(nlohmann::ordered_json answer, const Page& page) {
-  answer["next"] = page.next ? nlohmann::ordered_json(std::to_string(*page.next)) : nlohmann::ordered_json();
+nlohmann::ordered_json with_next(nlohmann::ordered_json answer, const Page& page, const PageQuery& asked) {
+  answer["next"] =
+      page.next ? nlohmann::ordered_json(cursor(asked.list, *page.next)) : nlohmann::ordered_json();
   return answer;
 }
 

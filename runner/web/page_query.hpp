@@ -1,6 +1,7 @@
 #pragma once
 // Lists in pages: `?limit=100`, and `?after=` with what the last page gave as `next`.
 #include "runner/results/queries.hpp"
+#include "runner/web/message.hpp"
 
 namespace capstan {
 
@@ -8,11 +9,12 @@ struct PageQuery {
   PageRequest wanted;
   CaseFilter rest;  ///< the parameters that are not of the page
   Issues issues;
+  std::string list;  ///< names the list by path and filter: the cursor of another one is refused
 };
 
-PageQuery read_page_query(const std::vector<std::pair<std::string, std::string>>& query);
+PageQuery read_page_query(const Request& request);
 
 /// Adds `next`, a cursor, or null on the last page.
-nlohmann::ordered_json with_next(nlohmann::ordered_json answer, const Page& page);
+nlohmann::ordered_json with_next(nlohmann::ordered_json answer, const Page& page, const PageQuery& asked);
 
 }  // namespace capstan

@@ -18,6 +18,7 @@ constexpr Route kRoutes[] = {
     {"GET", "/v1/studies/{id}", get_study},
     {"GET", "/v1/studies/{id}/cases", get_study_cases},
     {"GET", "/v1/studies/{id}/phase-diagram", get_phase_diagram},
+    {"GET", "/v1/studies/{id}/events", get_study_events},
     {"POST", "/v1/studies/{id}/cancel", cancel_study},
     {"POST", "/v1/studies/{id}/pause", pause_study},
     {"POST", "/v1/studies/{id}/resume", resume_study},
@@ -46,11 +47,16 @@ Response not_allowed(const std::string& allowed) {
   return response;
 }
 
+/// One of a list such as `"a", W/"b"`, or any for `*`. A tag of ours is hexadecimal, so no other can hold it.
+bool names(const std::string& list, const std::string& tag) {
+  return list == "*" || list.find(tag) != list.npos;
+}
+
 /// A strong tag: equal tags, equal bytes. Who has those already is told so.
 Response tagged(Response response, const Request& request) {
-  if (request.method != "GET" || response.status != 200) return response;
+  if (request.method != "GET" || response.status != 200 || response.next) return response;
   const std::string tag = '"' + sha256_hex(response.body).substr(0, 32) + '"';
-  if (request.if_none_match == tag) response = {304, response.content_type, "", response.headers};
+  if (names(request.if_none_match, tag)) response = {304, response.content_type, "", response.headers};
   response.headers["ETag"] = tag;
   return response;
 }

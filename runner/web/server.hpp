@@ -1,21 +1,19 @@
 #pragma once
 // The HTTP server: carries requests to the routes and responses back, on threads of its own.
 #include <memory>
-#include <thread>
 
 #include "runner/service/service.hpp"
+#include "runner/web/access.hpp"
 #include "runner/web/address.hpp"
 
-namespace httplib {
-class Server;
-}
-
 namespace capstan {
+
+class HttpServer;
 
 class Server {
  public:
   /// Listens from now on. Throws std::runtime_error when the address is taken.
-  Server(Service& service, Address address);
+  Server(Service& service, Address address, Access access);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -25,8 +23,7 @@ class Server {
 
  private:
   Address address_;
-  std::unique_ptr<httplib::Server> http_;
-  std::thread thread_;
+  std::unique_ptr<HttpServer> http_;
 };
 
 }  // namespace capstan

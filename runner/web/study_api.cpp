@@ -23,6 +23,9 @@ ordered_json with_links(ordered_json study) {
 
 /// 201 for a new study, 200 for one that is known; nothing is queued unless everything is valid.
 Response post_study(Service& service, const Request& request, const std::string&) {
+  constexpr std::size_t kLongestKey = 200;
+  if (request.idempotency_key.size() > kLongestKey)
+    return problem(400, "Invalid key", "an Idempotency-Key has at most 200 characters");
   const ParsedStudy parsed = parse_study_text(request.body);
   if (!parsed.value) {
     const std::string count = std::to_string(parsed.issues.size());
@@ -38,13 +41,13 @@ Response post_study(Service& service, const Request& request, const std::string&
 }
 
 Response get_studies(Service& service, const Request& request, const std::string&) {
-  const PageQuery page = read_page_query(request.query);
+  const PageQuery page = read_page_query(request);
   if (!page.issues.empty()) return problem(400, "Invalid page", "the query names no page", page.issues);
   Database database = service.reader();
   const Page found = list_studies(database, page.wanted);
   ordered_json studies = ordered_json::array();
   for (const ordered_json& study : found.items) studies.push_back(with_links(study));
-  return json_response(200, with_next({{"studies", studies}}, found));
+  return json_response(200, with_next({{"studies", studies}}, found, page));
 }
 
 Response get_study(Service& service, const Request&, const std::string& id) {
@@ -54,14 +57,14 @@ Response get_study(Service& service, const Request&, const std::string& id) {
 }
 
 Response get_study_cases(Service& service, const Request& request, const std::string& id) {
-  PageQuery page = read_page_query(request.query);
+  PageQuery page = read_page_query(request);
   for (Issue& issue : check_filter(page.rest)) page.issues.push_back(std::move(issue));
   if (!page.issues.empty())
     return problem(400, "Invalid filter", "the query does not select cases", page.issues);
   Database database = service.reader();
   if (!find_study(database, id)) return no_such_study(id);
   const Page found = find_cases(database, id, page.rest, page.wanted);
-  return json_response(200, with_next({{"study", id}, {"cases", found.items}}, found));
+  return json_response(200, with_next({{"study", id}, {"cases", found.items}}, found, page));
 }
 
 Response get_phase_diagram(Service& service, const Request& request, const std::string& id) {

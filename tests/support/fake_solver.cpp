@@ -92,4 +92,4 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
 }  // namespace
 }  // namespace capstan
 
-int main(int argc, char** argv) { return capstan::run_program(argc, argv, {capstan::solve, nullptr}); }
+int main(int argc, char** argv) { return capstan::run_program(argc, argv, {.solve = capstan::solve}); }

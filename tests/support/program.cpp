@@ -43,17 +43,20 @@ CommandResult run_capstan(const std::string& arguments) {
   return {WEXITSTATUS(status), content(out), content(errors)};
 }
 
-Daemon::Daemon(const std::filesystem::path& data) {
+Daemon::Daemon(const std::filesystem::path& data, const std::vector<std::string>& more,
+               const std::string& listen) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
-  std::string path = data;
-  std::string words[] = {"capstan", "serve", "--listen", "127.0.0.1:0", "--cores", "3", "--data"};
-  char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(), words[4].data(),
-                       words[5].data(), words[6].data(), path.data(),     nullptr};
-  if (posix_spawn(&pid_, CAPSTAN_PROGRAM, &actions, nullptr, arguments, environ) != 0)
+  std::vector<std::string> words = {"capstan", "serve", "--listen", listen,
+                                    "--cores", "3",     "--data",   data.string()};
+  words.insert(words.end(), more.begin(), more.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  if (posix_spawn(&pid_, CAPSTAN_PROGRAM, &actions, nullptr, arguments.data(), environ) != 0)
     throw std::runtime_error("cannot start " CAPSTAN_PROGRAM);
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace capstan {
 
@@ -19,8 +20,9 @@ CommandResult run_capstan(const std::string& arguments);
 /// `capstan serve` on a free port of its own.
 class Daemon {
  public:
-  /// Returns when it answers.
-  explicit Daemon(const std::filesystem::path& data);
+  /// Returns when it answers. \param more  further arguments of `capstan serve`
+  explicit Daemon(const std::filesystem::path& data, const std::vector<std::string>& more = {},
+                  const std::string& listen = "127.0.0.1:0");
   ~Daemon();
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -170,6 +173,9 @@ TEST_F(ApiTest, ListsComeInPages) {
   EXPECT_TRUE(second["next"].is_null());
   EXPECT_EQ(get(path, {{"limit", "0"}}).status, 400);
   EXPECT_EQ(get(path, {{"after", "x"}}).status, 400);
+  EXPECT_EQ(get(path, {{"after", first["next"].get<std::string>() + "x"}}).status, 400);
+  EXPECT_EQ(get("/v1/studies", {{"after", first["next"]}}).status, 400) << "the cursor of another list";
+  EXPECT_EQ(get(path, {{"V", "1"}, {"after", first["next"]}}).status, 400) << "the cursor of another filter";
   ask("POST", "/v1/studies", study_document("b", {{"Ca", {1}}}).dump());
   const ordered_json newest = json(get("/v1/studies", {{"limit", "1"}}));
   EXPECT_EQ(newest["studies"][0]["name"], "b");
@@ -180,8 +186,17 @@ TEST_F(ApiTest, UnchangedAnswerIsNotSentAgain) {
   const std::string path = "/v1/studies/" + submit_and_complete_one();
   const Response first = get(path);
   Request again{"GET", path, {}, "", ""};
-  again.if_none_match = first.headers.at("ETag");
-  EXPECT_EQ(respond(*service_, again).status, 304);
+  const std::string tag = first.headers.at("ETag");
+  for (const std::string& known : {tag, "W/" + tag, "\"a\", " + tag, std::string("*")}) {
+    again.if_none_match = known;
+    const Response unchanged = respond(*service_, again);
+    EXPECT_EQ(unchanged.status, 304) << known;
+    EXPECT_EQ(unchanged.body, "");
+    EXPECT_EQ(unchanged.headers.at("ETag"), tag);
+  }
+  again.if_none_match = "\"a\"";
+  EXPECT_EQ(respond(*service_, again).status, 200);
+  again.if_none_match = tag;
   ask("POST", path + "/pause");
   EXPECT_EQ(respond(*service_, again).status, 200);
 }
@@ -224,8 +239,59 @@ TEST_F(ApiTest, WhyNamesWhatACaseWaitsFor) {
 TEST_F(ApiTest, MetricsCountCasesByState) {
   submit_and_complete_one();
   EXPECT_THAT(get("/metrics").body, HasSubstr("capstan_cases{state=\"done\"} 1\n"));
-  EXPECT_THAT(get("/metrics").body, HasSubstr("capstan_attempts_total{ending=\"open\"} 1\n"));
+  EXPECT_THAT(get("/metrics").body, HasSubstr("capstan_attempts_total{ending=\"done\"} 1\n"));
+}
+
+TEST_F(ApiTest, EverySampleOfTheMetricsIsOfADescribedKind) {
+  submit_and_complete_one();
+  std::istringstream text(get("/metrics").body);
+  std::map<std::string, std::string> kinds;
+  std::set<std::string> samples;
+  const std::regex help("# HELP ([a-z_]+) .+"), type("# TYPE ([a-z_]+) (counter|gauge)"),
+      sample("(([a-z_]+)(\\{[a-z]+=\"[^\"]*\"\\})?) [0-9.e+-]+");
+  std::smatch match;
+  for (std::string line; std::getline(text, line);) {
+    if (std::regex_match(line, help)) continue;
+    if (std::regex_match(line, match, type)) {
+      EXPECT_TRUE(kinds.emplace(match[1], match[2]).second) << line;
+      continue;
+    }
+    ASSERT_TRUE(std::regex_match(line, match, sample)) << line;
+    EXPECT_TRUE(samples.insert(match[1]).second) << line;
+    ASSERT_TRUE(kinds.contains(match[2])) << line;
+    EXPECT_EQ(kinds.at(match[2]) == "counter", match[2].str().ends_with("_total")) << line;
+  }
+  EXPECT_GT(samples.size(), 5u);
+}
+
+TEST_F(ApiTest, CountersNeverFall) {
+  const auto ended = [&] {
+    const std::string body = get("/metrics").body;
+    int sum = 0;
+    const std::regex sample("capstan_attempts_total\\{ending=\"[a-z]+\"\\} ([0-9]+)");
+    for (std::sregex_iterator line(body.begin(), body.end(), sample), none; line != none; ++line)
+      sum += std::stoi((*line)[1]);
+    return sum;
+  };
+  submit_and_complete_one();
+  EXPECT_EQ(ended(), 1);
+  complete("run 2", "tumbling");
+  service_->tick();
+  EXPECT_EQ(ended(), 2);
+}
+
+TEST_F(ApiTest, ServerIsReadyOnlyWhileItsDatabaseCanBeRead) {
   EXPECT_EQ(get("/readyz").status, 200);
+  std::filesystem::rename(data_.database(), data_.path() / "gone");
+  const Response response = get("/readyz");
+  EXPECT_EQ(response.status, 503);
+  EXPECT_EQ(response.content_type, "application/problem+json");
+}
+
+TEST_F(ApiTest, LongIdempotencyKeyIsRefused) {
+  Request request{"POST", "/v1/studies", {}, "", study_document("a", {{"Ca", {1}}}).dump()};
+  request.idempotency_key = std::string(201, 'a');
+  EXPECT_EQ(respond(*service_, request).status, 400);
 }
 
 TEST_F(ApiTest, WhatIsNotThereIsNotFound) {

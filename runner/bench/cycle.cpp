@@ -1,0 +1,112 @@
+#include "runner/bench/cycle.hpp"
+
+#include <cmath>
+
+#include "runner/bench/bench_table.hpp"
+#include "runner/bench/timed_run.hpp"
+#include "runner/execute/exit_code.hpp"
+#include "solver/baseline/best_time.hpp"
+#include "solver/fluid/composite/composite_lbm.hpp"
+#include "solver/membrane/membrane.hpp"
+#include "solver/mesh/shapes.hpp"
+
+namespace capstan {
+namespace {
+
+constexpr double kSpan = 1;  // seconds a figure
+
+/// A strained red cell at the paper's resolution.
+struct Scene {
+  Case red = red_cell(0.4, 0.1, 2562, 0.04, 2);
+  Icosphere sphere = make_icosphere(4);
+  Points initial = initial_positions(red, sphere), positions = initial, forces;
+  Membrane membrane{red, sphere.mesh, initial};
+
+  Scene() {
+    positions.row(0) += 0.1 * initial.row(1);
+    membrane.forces(positions, forces);
+  }
+  Orbits orbits(bool is_quarter) const {
+    return is_quarter ? Orbits::of(initial) : Orbits::without_symmetry(int(initial.cols()));
+  }
+};
+
+double milliseconds(double seconds) { return std::round(1e5 * seconds) / 100; }
+double rounded(double number) { return std::round(1000 * number) / 1000; }
+
+nlohmann::ordered_json cycle_row(const Scene& scene, const std::string& name, bool is_uniform,
+                                 bool is_quarter, double V) {
+  const CompositeOptions options{.Re = 0, .V = V, .tolerance = 1e-6, .is_uniform = is_uniform};
+  Points exact, u;
+  CompositeLbm<float> flow(scene.sphere.mesh, scene.orbits(is_quarter), options);
+  flow.solve(0, scene.positions, scene.forces, exact);
+  CompositeOptions one_cycle = options;
+  one_cycle.tolerance = 1e300;
+  CompositeLbm<float> again(scene.sphere.mesh, scene.orbits(is_quarter), one_cycle);
+  u = Points::Zero(3, exact.cols());
+  u.row(0) = scene.positions.row(1);
+  std::vector<double> errors = {(u - exact).norm()};
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    again.solve(0, scene.positions, scene.forces, u);
+    errors.push_back((u - exact).norm());
+  }
+  long cells = 0;
+  for (const auto& grid : flow.grids()) cells += grid.box().cells();
+  return {{"grid", name},
+          {"V", V},
+          {"cells", cells},
+          {"ms a cycle", milliseconds(best_time(kSpan, [&] { flow.cycle(); }))},
+          {"first contraction", rounded(errors[1] / errors[0])},
+          {"mean of four", rounded(std::pow(errors[4] / errors[0], 0.25))}};
+}
+
+void print_cycles(const Scene& scene, bool json) {
+  nlohmann::ordered_json rows;
+  for (double V : {1.0, 4.0}) {
+    rows.push_back(cycle_row(scene, "uniform 128^3", true, false, V));
+    rows.push_back(cycle_row(scene, "composite", false, false, V));
+    rows.push_back(cycle_row(scene, "composite, a quarter", false, true, V));
+  }
+  print_rows("One W-cycle around a red cell, dx = 0.1 a, box 12.8 a, single precision", rows, json);
+}
+
+void print_step(const Scene& scene, bool json) {
+  const GridGeometry grid{Vec3::Constant(0.05), 0.1};
+  SymmetricBoundary boundary(grid, scene.orbits(true));
+  ViscosityField viscosity(grid, scene.sphere.mesh);
+  CompositeLbm<float> flow(scene.sphere.mesh, scene.orbits(true), {.V = 4});
+  Points forces, u;
+  flow.solve(0, scene.positions, scene.forces, u);
+  boundary.place(scene.positions);
+  const IndexBox capsule = boundary.touched(2);
+  VectorBox on_grid;
+  ScalarBox ratio;
+  ratio.reset(capsule.lo, {capsule.size(0), capsule.size(1), capsule.size(2)});
+
+  nlohmann::ordered_json rows;
+  const auto add = [&](const char* part, double seconds) {
+    rows.push_back({{"part", part}, {"ms", milliseconds(seconds)}});
+  };
+  add("forces of the membrane", best_time(kSpan, [&] { scene.membrane.forces(scene.positions, forces); }));
+  add("to the grid and back", best_time(kSpan, [&] {
+        boundary.place(scene.positions);
+        boundary.spread(scene.forces, 1, on_grid);
+        boundary.interpolate(on_grid, u);
+      }));
+  add("viscosity field", best_time(kSpan, [&] { viscosity.update(scene.positions, 1, 4, ratio); }));
+  add("one cycle", best_time(kSpan, [&] { flow.cycle(); }));
+  const TimedRun run = timed_run(scene.red);
+  add("a step, mean of a run to kt = 2", run.seconds / double(run.steps + 1));
+  print_rows("A step at the paper's resolution (2562 nodes, V = 4)", rows, json);
+}
+
+}  // namespace
+
+int bench_cycle(bool json) {
+  const Scene scene;
+  print_cycles(scene, json);
+  print_step(scene, json);
+  return kExitDone;
+}
+
+}  // namespace capstan

@@ -1,0 +1,56 @@
+#include "runner/bench/estimate.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "runner/bench/bench_table.hpp"
+#include "runner/bench/cost_model.hpp"
+#include "runner/execute/exit_code.hpp"
+
+namespace capstan {
+namespace {
+
+std::string duration(double seconds) {
+  if (seconds < 90) return plain(std::round(10 * seconds) / 10) + " s";
+  if (seconds < 90 * 60) return plain(std::round(seconds / 6) / 10) + " min";
+  return plain(std::round(seconds / 360) / 10) + " h";
+}
+
+}  // namespace
+
+int estimate_study(const Study& study, int cores, bool json) {
+  omp_set_num_threads(1);
+  const std::vector<double> seconds = estimated_seconds(study.cases);
+  const double total = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  const double longest = *std::ranges::max_element(seconds);
+  // the last cases leave cores idle for half a case on average
+  const double wall = std::max(longest, total / cores + (cores > 1 ? longest / 2 : 0));
+  nlohmann::ordered_json rows;
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    const Case& c = study.cases[i];
+    rows.push_back({{"Ca", c.Ca},
+                    {"V", c.V},
+                    {"fluid", word(c.fluid)},
+                    {"seconds", std::round(100 * seconds[i]) / 100}});
+  }
+  if (json) {
+    std::cout << nlohmann::ordered_json{{"cases", rows},
+                                        {"core_seconds", total},
+                                        {"cores", cores},
+                                        {"seconds", wall}}
+                     .dump(2)
+              << '\n';
+    return kExitDone;
+  }
+  print_rows(study.name + ": seconds of one core", rows, false);
+  std::cout << '\n'
+            << seconds.size() << (seconds.size() == 1 ? " case: " : " cases: ") << duration(total)
+            << " of one core, about " << duration(wall) << " on " << cores
+            << (cores == 1 ? " core\n" : " cores\n");
+  return kExitDone;
+}
+
+}  // namespace capstan

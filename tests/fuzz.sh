@@ -1,0 +1,16 @@
+#!/bin/sh
+# Searches for inputs that break the door or the study reader, with libFuzzer and the sanitizers.
+#   sh tests/fuzz.sh [SECONDS EACH]
+# What reaches new code goes to build/fuzz/found/; what broke something is left beside it. To keep the smallest set:
+#   build/fuzz/tests/fuzz_request -merge=1 tests/fuzz/corpus/request build/fuzz/found/request
+set -eu
+cd "$(dirname "$0")/.."
+sh runner/install_packages.sh clang libclang-rt-14-dev libomp-14-dev
+cmake --preset fuzz
+cmake --build --preset fuzz
+for input in request study; do
+  mkdir -p build/fuzz/found/$input
+  build/fuzz/tests/fuzz_$input -max_total_time="${1:-60}" -timeout=20 -max_len=8192 -print_final_stats=1 \
+    -dict=tests/fuzz/$input.dict -artifact_prefix=build/fuzz/found/$input- \
+    build/fuzz/found/$input tests/fuzz/corpus/$input
+done

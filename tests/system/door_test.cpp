@@ -1,0 +1,146 @@
+// Who is let in at the real door, and how a study is followed through it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include "tests/support/file_bytes.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/raw_connection.hpp"
+#include "tests/support/sample_studies.hpp"
+#include "tests/support/served_study.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace capstan {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr const char* kToken = "a-token-of-some-length";
+
+/// The environment of the daemons and commands that are started while it lives.
+struct TokenInEnvironment {
+  TokenInEnvironment() { setenv("CAPSTAN_TOKEN", kToken, 1); }
+  ~TokenInEnvironment() { unsetenv("CAPSTAN_TOKEN"); }
+};
+
+class DoorTest : public testing::Test {
+ protected:
+  std::string ask(const Daemon& daemon, const std::string& request) {
+    RawConnection connection(daemon.url());
+    connection.send(request);
+    return connection.receive_all();
+  }
+  TemporaryDirectory data_;
+};
+
+TEST_F(DoorTest, AddressThatOthersCanReachNeedsAToken) {
+  for (const char* address : {"0.0.0.0:0", "[::]:0"}) {
+    const CommandResult refused =
+        run_capstan("serve --data " + data_.path().string() + " --listen " + std::string(address));
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("CAPSTAN_TOKEN"));
+  }
+  const TokenInEnvironment token;
+  const Daemon daemon(data_.path(), {}, "0.0.0.0:0");
+  EXPECT_EQ(status_of(ask(daemon, request_text("GET", "/healthz"))), 401);
+}
+
+TEST_F(DoorTest, TokenIsAskedOnEveryRouteAndSentByEveryCommand) {
+  const TokenInEnvironment token;
+  const Daemon daemon(data_.path());
+  for (const char* path : {"/healthz", "/readyz", "/metrics", "/openapi.yaml", "/v1/studies", "/nothing"})
+    EXPECT_EQ(status_of(ask(daemon, request_text("GET", path))), 401) << path;
+  const std::string field = "Authorization: Bearer " + std::string(kToken) + "\r\n";
+  EXPECT_EQ(status_of(ask(daemon, request_text("GET", "/healthz", field))), 200);
+  const std::filesystem::path study = data_.path() / "study.json";
+  overwrite(study, study_document("door", {{"Ca", {0.25}}}).dump());
+  const std::string server = " --server " + daemon.url();
+  EXPECT_EQ(run_capstan("submit --watch " + study.string() + server).exit_code, 0);
+  unsetenv("CAPSTAN_TOKEN");
+  const CommandResult refused = run_capstan("studies" + server);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("Bearer"));
+}
+
+TEST_F(DoorTest, TokenStandsInNoLog) {
+  const TokenInEnvironment token;
+  const Daemon daemon(data_.path());
+  ask(daemon,
+      request_text("GET", "/v1/studies?limit=5", "Authorization: Bearer " + std::string(kToken) + "\r\n"));
+  ask(daemon, "GET /\x1b[2J HTTP/1.1\r\n\r\n");
+  const std::string log = file_bytes(data_.path() / "requests.log");
+  EXPECT_THAT(log, HasSubstr(" 127.0.0.1 GET /v1/studies?limit=5 200 "));
+  EXPECT_THAT(log, HasSubstr(" 127.0.0.1 - - 400 "));
+  EXPECT_EQ(log.find(kToken), log.npos);
+}
+
+TEST_F(DoorTest, NamesOfTheServerAreThoseThatWereGiven) {
+  const Daemon daemon(data_.path(), {"--host", "capsules.example.org"});
+  const auto status = [&](const std::string& host) {
+    return status_of(ask(daemon, "GET /healthz HTTP/1.1\r\nHost: " + host + "\r\n\r\n"));
+  };
+  EXPECT_EQ(status("capsules.example.org"), 200);
+  EXPECT_EQ(status("evil.example"), 421);
+  EXPECT_EQ(status_of(ask(daemon, request_text("POST", "/v1/studies", "Origin: http://evil.example\r\n"))),
+            403);
+}
+
+TEST_F(DoorTest, AnswerIsNeverCompressedSoThatItsTagHolds) {
+  const Daemon daemon(data_.path());
+  const std::string plain = ask(daemon, request_text("GET", "/openapi.yaml"));
+  EXPECT_EQ(ask(daemon, request_text("GET", "/openapi.yaml", "Accept-Encoding: gzip, br\r\n")), plain);
+  EXPECT_THAT(plain, HasSubstr("ETag: \""));
+}
+
+TEST_F(DoorTest, StudyIsFollowedToItsEnd) {
+  const Daemon daemon(data_.path());
+  Client client(daemon.url());
+  const std::string id =
+      client.post("/v1/studies", study_document("door", {{"Ca", {0.25}}, {"V", {70}}}).dump())["id"];
+  RawConnection follower(daemon.url());
+  follower.send(request_text("GET", "/v1/studies/" + id + "/events"));
+  EXPECT_THAT(follower.receive(15), StartsWith("HTTP/1.1 200 OK"));
+  client.post("/v1/studies/" + id + "/cancel", "");
+  const std::string rest = follower.receive_all();
+  EXPECT_THAT(rest, HasSubstr("Content-Type: text/event-stream"));
+  EXPECT_THAT(rest, HasSubstr("event: progress"));
+  EXPECT_THAT(rest.substr(rest.rfind("event: ")), StartsWith("event: end\n"));
+}
+
+/// Eight streams, half of the threads; a ninth is told to come later, and everything else is answered.
+TEST_F(DoorTest, FollowersLeaveHalfOfTheThreadsFree) {
+  const Daemon daemon(data_.path());
+  Client client(daemon.url());
+  const std::string id =
+      client.post("/v1/studies", study_document("door", {{"Ca", {0.25}}, {"V", {70}}}).dump())["id"];
+  const std::string request = request_text("GET", "/v1/studies/" + id + "/events");
+  std::vector<RawConnection> followers;
+  for (int i = 0; i < 8; ++i) {
+    followers.emplace_back(daemon.url());
+    followers.back().send(request);
+    ASSERT_EQ(status_of(followers.back().receive(15)), 200);
+  }
+  const std::string refused = ask(daemon, request);
+  EXPECT_EQ(status_of(refused), 503);
+  EXPECT_THAT(refused, HasSubstr("Retry-After: "));
+  EXPECT_EQ(status_of(ask(daemon, request_text("GET", "/healthz"))), 200);
+  followers.clear();  // whoever goes makes room
+  wait_for(client, "/v1/studies/" + id, [&](const auto&) {
+    return ask(daemon, request_text("GET", "/metrics")).find("capstan_http_streams 0\n") != std::string::npos;
+  });
+}
+
+TEST_F(DoorTest, DaemonEndsAtOnceWhileClientsHang) {
+  Daemon daemon(data_.path());
+  Client client(daemon.url());
+  const std::string id =
+      client.post("/v1/studies", study_document("door", {{"Ca", {0.25}}, {"V", {70}}}).dump())["id"];
+  RawConnection silent(daemon.url()), follower(daemon.url());
+  follower.send(request_text("GET", "/v1/studies/" + id + "/events"));
+  EXPECT_EQ(status_of(follower.receive(15)), 200);
+  EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+}
+
+}  // namespace
+}  // namespace capstan

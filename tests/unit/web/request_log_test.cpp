@@ -1,0 +1,27 @@
+#include "runner/web/request_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/file_bytes.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace capstan {
+namespace {
+
+TEST(RequestLog, KeepsALineALine) {
+  const TemporaryDirectory directory;
+  RequestLog log(directory.path() / "log");
+  log.write("GET /\r\nforged line\x1b[2J");
+  EXPECT_EQ(file_bytes(directory.path() / "log"), "GET /??forged line?[2J\n");
+}
+
+TEST(RequestLog, NeverTakesMoreThanTwiceItsMost) {
+  const TemporaryDirectory directory;
+  RequestLog log(directory.path() / "log", 1000);
+  for (int i = 0; i < 1000; ++i) log.write("ten bytes");
+  EXPECT_LE(file_bytes(directory.path() / "log").size(), 1000u);
+  EXPECT_EQ(file_bytes(directory.path() / "log.1").size(), 1000u);
+}
+
+}  // namespace
+}  // namespace capstan
