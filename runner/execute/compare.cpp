@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <iostream>
 #include <numbers>
-#include <span>
 
 #include "runner/execute/case_file.hpp"
 #include "runner/execute/exit_code.hpp"
@@ -47,10 +46,8 @@ std::optional<Run> run(const Case& c) {
 struct Grid {
   double dx, box;
 };
-/// The spacing is halved in a small box, the box is doubled at the coarse spacing: so no grid has more than
-/// 128^3 cells.
-constexpr std::array<Grid, 3> kSpacings = {{{0.2, 6.4}, {0.1, 6.4}, {0.05, 6.4}}};
-constexpr std::array<Grid, 2> kBoxes = {{{0.2, 12.8}, {0.2, 25.6}}};
+/// The box is doubled twice at one spacing, then the spacing is halved twice in the largest box.
+constexpr std::array<Grid, 5> kGrids = {{{0.2, 6.4}, {0.2, 12.8}, {0.2, 25.6}, {0.1, 25.6}, {0.05, 25.6}}};
 constexpr double kLargestStep = 0.02;  // so that the step in time is no part of the difference
 
 /// The same case, of whatever fluid it is, in this one. \param Re of the fluid, if it has any
@@ -85,9 +82,11 @@ void print_row(const char* fluid, const Grid* grid, const Run& run, const Record
 }
 
 /// The limit of no spacing, to which the delta function's width converges at first order, and of no walls,
-/// whose effect falls with the cube of their distance.
-double limit(double coarse, double middle, double fine, double wide, double widest) {
-  return fine + (fine - middle) + (widest - coarse) + (widest - wide) / 7;
+/// whose effect falls with the cube of their distance. \param on values on kGrids
+double limit(const std::array<double, 5>& on) { return on[4] + (on[4] - on[3]) + (on[2] - on[1]) / 7; }
+
+double order_in_dx(const std::array<double, 5>& on) {
+  return std::log2(std::abs((on[2] - on[3]) / (on[3] - on[4])));
 }
 
 int compare(const std::filesystem::path& file, const Case& c) {
@@ -98,21 +97,18 @@ int compare(const std::filesystem::path& file, const Case& c) {
   const auto stokes = run(in_stokes_flow(c));
   if (!stokes) return kExitNoAnswer;
   print_row("stokes", nullptr, *stokes, stokes->last);
-  std::vector<Record> on;
-  for (const auto& grids : {std::span<const Grid>(kSpacings), std::span<const Grid>(kBoxes)})
-    for (const Grid& grid : grids) {
-      const auto lattice = run(on_lattice(c, grid));
-      if (!lattice) return kExitNoAnswer;
-      print_row("quasisteady", &grid, *lattice, stokes->last);
-      on.push_back(lattice->last);
-    }
+  std::array<double, 5> D_xy{}, theta{};
+  for (std::size_t i = 0; i < kGrids.size(); ++i) {
+    const auto lattice = run(on_lattice(c, kGrids[i]));
+    if (!lattice) return kExitNoAnswer;
+    print_row("quasisteady", &kGrids[i], *lattice, stokes->last);
+    D_xy[i] = lattice->last.D_xy, theta[i] = lattice->last.theta;
+  }
   Run extrapolated;
-  extrapolated.last.D_xy = limit(on[0].D_xy, on[1].D_xy, on[2].D_xy, on[3].D_xy, on[4].D_xy);
-  extrapolated.last.theta = limit(on[0].theta, on[1].theta, on[2].theta, on[3].theta, on[4].theta);
+  extrapolated.last.D_xy = limit(D_xy), extrapolated.last.theta = limit(theta);
   const Grid none{0, INFINITY};
   print_row("limit", &none, extrapolated, stokes->last);
-  std::printf("\norder in dx: %.2f\n",
-              std::log2(std::abs((on[0].D_xy - on[1].D_xy) / (on[1].D_xy - on[2].D_xy))));
+  std::printf("\norder in dx: %.2f\n", order_in_dx(D_xy));
   return kExitDone;
 }
 
