@@ -74,6 +74,12 @@ TEST_F(OutcomeTest, ResultThatCannotBeReadIsNone) {
   }
 }
 
+TEST_F(OutcomeTest, ResultOfALaterFormatIsNotGuessedAt) {
+  write("result.json", R"({"format": 2, "stop": "reached_end"})");
+  EXPECT_EQ(exited_with(0).kind, Kind::failed);
+  EXPECT_EQ(exited_with(0).message, "result.json has format 2, this program reads format 1");
+}
+
 TEST_F(OutcomeTest, LongLogIsCutToItsLastLines) {
   write("log", std::string(5000, 'x') + "\nlast words\n");
   EXPECT_EQ(exited_with(1).message, "exit code 1\nlast words");
