@@ -10,8 +10,8 @@ namespace capstan {
 struct ServeArguments {
   std::string data = "capstan-data";
   std::string listen = "127.0.0.1:8017";
-  double memory_mb = 0;  ///< that a case may take; 0: as much as it wants
-  int wall_seconds = 0;  ///< that an attempt may take; 0: as long as it wants
+  double memory_mb = 0;    ///< that a case may take; 0: as much as it wants
+  int wall_seconds = 0;    ///< that an attempt may take; 0: as long as it wants
   int lease_seconds = 60;  ///< that a process may stand still
   int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };

@@ -52,13 +52,16 @@ Action declare_serve(CLI::App& command) {
 }
 
 void add_data_option(CLI::App& command, std::string& data) {
-  command.add_option("--data", data, "the data directory of a server")->type_name("DIR")->capture_default_str();
+  command.add_option("--data", data, "the data directory of a server")
+      ->type_name("DIR")
+      ->capture_default_str();
 }
 
 Action declare_doctor(CLI::App& command) {
   auto arguments = std::make_shared<UpkeepArguments>();
   add_data_option(command, arguments->data);
-  command.add_flag("--repair", arguments->mend, "mend what can be mended without losing anything; stop the server first");
+  command.add_flag("--repair", arguments->mend,
+                   "mend what can be mended without losing anything; stop the server first");
   command.footer(
       "Exit code 0: all is well, or mended. 1: some faults are left.\n"
       "Example:\n  capstan doctor --data /srv/capsules\n");
@@ -70,8 +73,10 @@ Action declare_backup(CLI::App& command) {
   command.add_option("FILE", arguments->file, "the copy; replaced if it is there")->required();
   add_data_option(command, arguments->data);
   command.footer(
-      "The server may be running. To go back to the copy, put it into an empty data directory as capstan.sqlite.\n"
-      "Shapes and checkpoints stand in runs/, whose files are only ever replaced whole: copy it with any tool.\n"
+      "The server may be running. To go back to the copy, put it into an empty data directory as "
+      "capstan.sqlite.\n"
+      "Shapes and checkpoints stand in runs/, whose files are only ever replaced whole: copy it with any "
+      "tool.\n"
       "Example:\n  capstan backup capsules.sqlite --data /srv/capsules\n");
   return [arguments] { return back_up(*arguments); };
 }
@@ -130,7 +135,8 @@ Action declare_retry(CLI::App& command) {
   auto arguments = std::make_shared<StudyArguments>();
   auto fidelity = std::make_shared<std::string>();
   command.add_option("ID", arguments->id, "the study")->required();
-  command.add_option("--fidelity", *fidelity, "compute the failed and diverged cases at this one, as \"fine\"")
+  command
+      .add_option("--fidelity", *fidelity, "compute the failed and diverged cases at this one, as \"fine\"")
       ->type_name("PRESET");
   add_server_option(command, arguments->server);
   command.footer("Example:\n  capstan retry quickstart-3f9c --fidelity fine\n");

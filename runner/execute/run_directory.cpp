@@ -13,7 +13,8 @@ std::string read_from(std::ifstream& stream) { return {std::istreambuf_iterator<
 
 }  // namespace
 
-/// The case is in the database, so its file need not survive a power failure: one that did not is written again.
+/// The case is in the database, so its file need not survive a power failure: one that did not is written
+/// again.
 void RunDirectory::prepare(const std::string& case_document) const {
   std::filesystem::create_directories(path_);
   std::ifstream there(case_file(), std::ios::binary);

@@ -117,8 +117,8 @@ class Database {
   std::shared_ptr<IdleStatements> idle_ = std::make_shared<IdleStatements>();
 };
 
-/// What a commit outlives. A promise to a client waits for the disk; what only says how far a run is need not:
-/// who died in a power failure runs no more, and its run directory says the rest.
+/// What a commit outlives. A promise to a client waits for the disk; what only says how far a run is need
+/// not: who died in a power failure runs no more, and its run directory says the rest.
 enum class Survives { kill, power_failure };
 
 /// All or nothing. Inside another transaction it is a part of that one, and undone with it.

@@ -134,8 +134,8 @@ bool JobQueue::set_priority(const std::string& study_id, int priority) {
 
 bool JobQueue::pause(const std::string& study_id, bool is_paused) {
   Transaction transaction(database_);
-  const int known = database_.execute("UPDATE schedule SET is_paused = ? WHERE study_id = ?",
-                                      is_paused ? 1 : 0, study_id);
+  const int known =
+      database_.execute("UPDATE schedule SET is_paused = ? WHERE study_id = ?", is_paused ? 1 : 0, study_id);
   transaction.commit();
   return known > 0;
 }
@@ -188,7 +188,8 @@ bool JobQueue::put_back(const Claim& claim, const std::string& reason) {
   Transaction transaction(database_, Survives::kill);
   const int held = database_.execute(
       "UPDATE cases SET token = NULL, lease_until = NULL, attempt = attempt - 1, message = ?, not_before = ?,"
-      " state = iif(cancel_requested, 'cancelled', 'queued'), cancel_requested = 0 WHERE id = ? AND token = ?",
+      " state = iif(cancel_requested, 'cancelled', 'queued'), cancel_requested = 0 WHERE id = ? AND token = "
+      "?",
       reason, Time(clock_.now() + kBackOff), claim.case_id, claim.token);
   if (held == 0) return false;
   database_.execute("DELETE FROM attempts WHERE case_id = ? AND attempt = ?", claim.case_id, claim.attempt);

@@ -79,8 +79,8 @@ class JobQueue {
 
   // The following return false when the token holds no longer: then nothing is recorded, and the run is to
   // end.
-  /// The run could not be started: that was no attempt. Tried again after a back-off, so that others have their
-  /// turn.
+  /// The run could not be started: that was no attempt. Tried again after a back-off, so that others have
+  /// their turn.
   bool put_back(const Claim& claim, const std::string& reason);
   bool renew(const Claim& claim);
   bool finish(const Claim& claim, Ending ending, const std::string& message);

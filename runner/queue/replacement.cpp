@@ -30,7 +30,8 @@ std::vector<std::pair<std::string, std::int64_t>> places_of(Database& database, 
   return places;
 }
 
-void replace(Database& database, const std::string& old_id, const Case& by, const std::string& study_id = "") {
+void replace(Database& database, const std::string& old_id, const Case& by,
+             const std::string& study_id = "") {
   const std::string id = add_case(database, by);
   if (id == old_id) return;
   for (const auto& [study, position] : places_of(database, old_id, study_id)) {
@@ -49,19 +50,20 @@ std::string text_of(const Issues& issues) {
 
 std::string add_case(Database& database, const Case& c) {
   const std::string id = case_id(c);
-  database.execute("INSERT INTO cases (id, document, numerics) VALUES (?, ?, ?) ON CONFLICT (id) DO NOTHING", id,
-                   to_json(c).dump(), kNumericsVersion);
-  database.execute("UPDATE cases SET state = 'queued', message = '' WHERE id = ? AND state = 'cancelled'", id);
+  database.execute("INSERT INTO cases (id, document, numerics) VALUES (?, ?, ?) ON CONFLICT (id) DO NOTHING",
+                   id, to_json(c).dump(), kNumericsVersion);
+  database.execute("UPDATE cases SET state = 'queued', message = '' WHERE id = ? AND state = 'cancelled'",
+                   id);
   return id;
 }
 
 Issues replace_failed(Database& database, const std::string& study_id, const nlohmann::json& fidelity) {
   Transaction transaction(database);
   Issues issues;
-  for (auto& [id, document] : read_cases(database.query(
-           "SELECT id, document FROM study_cases JOIN cases ON id = case_id"
-           " WHERE study_id = ? AND state IN ('failed', 'diverged')",
-           study_id))) {
+  for (auto& [id, document] :
+       read_cases(database.query("SELECT id, document FROM study_cases JOIN cases ON id = case_id"
+                                 " WHERE study_id = ? AND state IN ('failed', 'diverged')",
+                                 study_id))) {
     document["fidelity"] = fidelity;
     const ParsedCase parsed = parse_case(document);
     if (parsed.value) replace(database, id, *parsed.value, study_id);

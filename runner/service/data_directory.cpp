@@ -27,7 +27,8 @@ void refuse_network(const std::filesystem::path& path) {
 }  // namespace
 
 std::string network_file_system(long type) {
-  static const std::map<unsigned, std::string> kNames = {  // linux/magic.h and the file systems' own headers
+  static const std::map<unsigned, std::string> kNames = {
+      // linux/magic.h and the file systems' own headers
       {0x6969, "NFS"},        {0x517B, "SMB"},        {0xFF534D42, "CIFS"},  {0xFE534D42, "SMB2"},
       {0x00C36400, "Ceph"},   {0x0BD00BD0, "Lustre"}, {0x47504653, "GPFS"},  {0x5346414F, "AFS"},
       {0x19830326, "BeeGFS"}, {0x73757245, "Coda"},   {0x7461636F, "OCFS2"}, {0x01161970, "GFS2"}};

@@ -16,8 +16,8 @@ std::string network_file_system(long type);
 class DataDirectory {
  public:
   /// Makes the directory if need be and holds it until the process ends. Throws std::runtime_error when
-  /// another daemon holds it, or when it lies on a network file system: SQLite's log cannot be kept there. Only
-  /// `runs` may, as a symbolic link.
+  /// another daemon holds it, or when it lies on a network file system: SQLite's log cannot be kept there.
+  /// Only `runs` may, as a symbolic link.
   explicit DataDirectory(const std::filesystem::path& path);
   ~DataDirectory();
   DataDirectory(const DataDirectory&) = delete;

@@ -21,7 +21,9 @@ class Doctor {
 
   std::vector<Finding> findings() && {
     look_at_disk();
-    if (look_at_database()) find_run_faults(data_ / "runs", database_, [this](const std::string& what, const auto& mend) { found(what, mend); });
+    if (look_at_database())
+      find_run_faults(data_ / "runs", database_,
+                      [this](const std::string& what, const auto& mend) { found(what, mend); });
     return std::move(findings_);
   }
 
@@ -34,7 +36,8 @@ class Doctor {
   void look_at_disk() {
     for (const std::filesystem::path& place : {data_, data_ / "runs"})
       if (std::filesystem::space(place).available < kLeastFree)
-        found("less than " + std::to_string(kLeastFree / 1'000'000) + " MB are free in " + place.string(), {});
+        found("less than " + std::to_string(kLeastFree / 1'000'000) + " MB are free in " + place.string(),
+              {});
   }
 
   /// False if it is damaged: then nothing that it says can be relied on.
@@ -50,12 +53,11 @@ class Doctor {
       return false;
     }
     for (const std::string& study : miscounted_studies(database_))
-      found("the sums of study " + study + " are not those of its cases",
-            [this] {
-              Transaction transaction(database_);
-              database_.execute_script(kRecount);
-              transaction.commit();
-            });
+      found("the sums of study " + study + " are not those of its cases", [this] {
+        Transaction transaction(database_);
+        database_.execute_script(kRecount);
+        transaction.commit();
+      });
     return true;
   }
 

@@ -2,8 +2,8 @@
 // Run directories that belong to no case: the database is older than they are.
 #include <vector>
 
-#include "runner/queue/database.hpp"
 #include "runner/execute/run_directory.hpp"
+#include "runner/queue/database.hpp"
 
 namespace capstan {
 

@@ -16,10 +16,11 @@ void compare_results(const std::filesystem::path& runs, Database& database, cons
     const std::string document = row.text(1);
     const auto there = directory.result();
     if (there && *there == ordered_json::parse(document)) continue;
-    tell(directory.result_file().string() + (there ? " is not what was recorded" : " is missing or damaged"), [&] {
-      std::filesystem::create_directories(directory.path());
-      write_durably(directory.result_file(), ordered_json::parse(document).dump(2) + "\n");
-    });
+    tell(directory.result_file().string() + (there ? " is not what was recorded" : " is missing or damaged"),
+         [&] {
+           std::filesystem::create_directories(directory.path());
+           write_durably(directory.result_file(), ordered_json::parse(document).dump(2) + "\n");
+         });
   }
 }
 
@@ -49,7 +50,8 @@ void find_partial_files(const std::filesystem::path& runs, Database& database, c
   while (row.step()) {
     const RunDirectory directory(runs / row.text(0));
     if (directory.has_partial_files())
-      tell(directory.path().string() + " holds half-written files", [&] { directory.remove_partial_files(); });
+      tell(directory.path().string() + " holds half-written files",
+           [&] { directory.remove_partial_files(); });
   }
 }
 

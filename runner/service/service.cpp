@@ -141,8 +141,8 @@ std::string Service::why_nothing_starts() const {
          ": nothing is started";
 }
 
-/// A directory that is complete, of a case that nobody has recorded, is recorded: the database came back from a
-/// backup, or a power failure took the last commit.
+/// A directory that is complete, of a case that nobody has recorded, is recorded: the database came back from
+/// a backup, or a power failure took the last commit.
 bool Service::start_next() {
   if (!why_nothing_starts().empty()) return false;
   std::optional<Claim> claim = queue_.claim();

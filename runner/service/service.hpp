@@ -47,8 +47,8 @@ class Service {
   bool set_priority(const std::string& study_id, int priority);
   bool pause(const std::string& study_id, bool is_paused);
   bool retry(const std::string& study_id);
-  /// At another fidelity, which may help diverged cases, too; the faults that this one would have. Of an unknown
-  /// study there is nothing to retry.
+  /// At another fidelity, which may help diverged cases, too; the faults that this one would have. Of an
+  /// unknown study there is nothing to retry.
   Issues retry_at(const std::string& study_id, const nlohmann::json& fidelity);
 
   /// While less is free where the runs write, nothing is started.

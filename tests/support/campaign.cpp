@@ -33,7 +33,8 @@ std::map<std::string, Answer> answers_in(const std::filesystem::path& data) {
       " (SELECT coalesce(group_concat(record || ' ' || kt || ' ' || D_xy || ' ' || theta || ' ' || psi), '')"
       "  FROM histories h WHERE h.case_id = id) FROM cases LEFT JOIN results r ON r.case_id = id");
   while (row.step())
-    answers[row.text(0)] = {row.text(1), without_cost(row.text(2)), row.text(4), static_cast<int>(row.integer(3))};
+    answers[row.text(0)] = {row.text(1), without_cost(row.text(2)), row.text(4),
+                            static_cast<int>(row.integer(3))};
   return answers;
 }
 
@@ -41,15 +42,17 @@ std::string broken_promise(const std::filesystem::path& data) {
   Database database = reader_of(data);
   for (const std::string& fault : damage_of(database)) return fault;
   for (const std::string& study : miscounted_studies(database)) return "the sums of " + study;
-  if (has_rows(database,
-               "SELECT 1 FROM attempts WHERE ending IN ('done', 'diverged') GROUP BY case_id HAVING count(*) > 1"))
+  if (has_rows(
+          database,
+          "SELECT 1 FROM attempts WHERE ending IN ('done', 'diverged') GROUP BY case_id HAVING count(*) > 1"))
     return "a case has two answers";
   if (has_rows(database,
                "SELECT 1 FROM cases c WHERE (state = 'running') <>"
                " (SELECT count(*) FROM attempts a WHERE a.case_id = c.id AND ended_at IS NULL)"))
     return "a running case without an open attempt, or an open attempt of another";
-  if (has_rows(database, "SELECT 1 FROM cases LEFT JOIN results ON case_id = id"
-                         " WHERE (state IN ('done', 'diverged')) <> (case_id IS NOT NULL)"))
+  if (has_rows(database,
+               "SELECT 1 FROM cases LEFT JOIN results ON case_id = id"
+               " WHERE (state IN ('done', 'diverged')) <> (case_id IS NOT NULL)"))
     return "an answer without a result, or a result without an answer";
   return "";
 }

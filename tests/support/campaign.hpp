@@ -26,8 +26,8 @@ struct Answer {
 /// All cases of the data directory, by id.
 std::map<std::string, Answer> answers_in(const std::filesystem::path& data);
 
-/// What holds at every moment, whoever was killed: pages, references, sums, at most one answer a case, one open
-/// attempt a running case. "" or what does not.
+/// What holds at every moment, whoever was killed: pages, references, sums, at most one answer a case, one
+/// open attempt a running case. "" or what does not.
 std::string broken_promise(const std::filesystem::path& data);
 
 /// Processes of runs that are recorded as running and are alive.

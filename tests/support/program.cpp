@@ -66,7 +66,8 @@ Daemon::Daemon(const std::filesystem::path& data, const std::vector<std::string>
   posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
   std::vector<std::string> words = {"capstan", "serve", "--listen", "127.0.0.1:0", "--data", data};
   words.insert(words.end(), more.begin(), more.end());
-  if (std::find(more.begin(), more.end(), "--cores") == more.end()) words.insert(words.end(), {"--cores", "3"});
+  if (std::find(more.begin(), more.end(), "--cores") == more.end())
+    words.insert(words.end(), {"--cores", "3"});
   std::vector<std::string> environment = environment_with(fail_at);
   if (posix_spawn(&pid_, CAPSTAN_PROGRAM, &actions, nullptr, pointers(words).data(),
                   pointers(environment).data()) != 0)

@@ -21,7 +21,8 @@ CommandResult run_capstan(const std::string& arguments);
 
 /// The daemon ended before it said where it serves; `exit_code` as of Daemon::end_with.
 struct DaemonDied : std::runtime_error {
-  DaemonDied(const std::string& said, int code) : std::runtime_error("the daemon said: " + said), exit_code(code) {}
+  DaemonDied(const std::string& said, int code)
+      : std::runtime_error("the daemon said: " + said), exit_code(code) {}
   int exit_code;
 };
 

@@ -1,5 +1,6 @@
-// Random histories of commands against a model, with a daemon that is killed at fail points and at any moment.
-// What was answered must hold in every later life; what was in doubt is asked again, as a client would.
+// Random histories of commands against a model, with a daemon that is killed at fail points and at any
+// moment. What was answered must hold in every later life; what was in doubt is asked again, as a client
+// would.
 //
 //   CAPSTAN_SEED=7 CAPSTAN_LIVES=500 build/test/tests/program_test --gtest_filter=CommandHistory.*
 #include <gmock/gmock.h>
@@ -28,13 +29,17 @@ int number_from(const char* variable, int otherwise) {
   return text ? std::atoi(text) : otherwise;
 }
 
-/// The studies share cases; of the fake solver's kinds (tests/support/fake_solver.cpp) those that end by themselves.
+/// The studies share cases; of the fake solver's kinds (tests/support/fake_solver.cpp) those that end by
+/// themselves.
 const std::vector<json> kAxes = {
-    {{"Ca", {0.1, 0.2}}, {"V", {2, 4}}}, {{"Ca", {0.2, 0.3}}, {"V", {4, 50}}}, {{"Ca", {0.1, 0.3}}, {"V", {4, 90}}},
-    {{"Ca", {0.4}}, {"V", {2, 60}}},     {{"Ca", {0.1, 0.4}}, {"V", {2, 5}}},
+    {{"Ca", {0.1, 0.2}}, {"V", {2, 4}}},  {{"Ca", {0.2, 0.3}}, {"V", {4, 50}}},
+    {{"Ca", {0.1, 0.3}}, {"V", {4, 90}}}, {{"Ca", {0.4}}, {"V", {2, 60}}},
+    {{"Ca", {0.1, 0.4}}, {"V", {2, 5}}},
 };
 
-std::string state_that_ends(double V) { return V == 50 ? "diverged" : V == 60 || V == 90 ? "failed" : "done"; }
+std::string state_that_ends(double V) {
+  return V == 50 ? "diverged" : V == 60 || V == 90 ? "failed" : "done";
+}
 
 /// What the server must say of a study once it has answered.
 struct Known {
@@ -48,7 +53,8 @@ class History {
   explicit History(unsigned seed) : random_(seed) {}
 
   void live() {
-    const std::string point = kFailPoints[random_() % kFailPoints.size()] + std::string(":") + std::to_string(1 + random_() % 3);
+    const std::string point =
+        kFailPoints[random_() % kFailPoints.size()] + std::string(":") + std::to_string(1 + random_() % 3);
     said_ += "\n-- a life until " + point;
     try {
       Daemon daemon(data_.path(), {}, point);
@@ -79,8 +85,9 @@ class History {
     check_known(client);
     for (auto& [study, known] : known_) client.post("/v1/studies/" + known.id + "/resume", "");
     for (const auto& [study, known] : known_)
-      wait_for(client, "/v1/studies/" + known.id,
-               [](const ordered_json& now) { return now["cases"]["queued"] == 0 && now["cases"]["running"] == 0; });
+      wait_for(client, "/v1/studies/" + known.id, [](const ordered_json& now) {
+        return now["cases"]["queued"] == 0 && now["cases"]["running"] == 0;
+      });
     check_ends(client);
     EXPECT_EQ(broken_promise(data_.path()), "") << said_;
   }
@@ -96,7 +103,8 @@ class History {
     const std::size_t study = random_() % kAxes.size();
     const bool is_known = known_.contains(study);
     const std::vector<std::string> changes = {"", "cancel", "pause", "resume", "retry", "priority"};
-    pending_ = Command{study, is_known ? changes[random_() % changes.size()] : "", static_cast<int>(random_() % 9) - 4};
+    pending_ = Command{study, is_known ? changes[random_() % changes.size()] : "",
+                       static_cast<int>(random_() % 9) - 4};
     said_ += "\n" + (pending_->change.empty() ? "submit" : pending_->change) + " " + std::to_string(study);
   }
 
@@ -106,8 +114,8 @@ class History {
     const Command& command = *pending_;
     Known& known = known_[command.study];
     if (command.change.empty()) {
-      const ordered_json answer =
-          client.post("/v1/studies", study_document("s" + std::to_string(command.study), kAxes[command.study]).dump());
+      const ordered_json answer = client.post(
+          "/v1/studies", study_document("s" + std::to_string(command.study), kAxes[command.study]).dump());
       known.id = answer["id"];
       known.is_cancelled = false;
     } else {
@@ -128,7 +136,8 @@ class History {
       EXPECT_EQ(now["paused"], known.is_paused) << known.id << said_;
       EXPECT_EQ(now["cancelled"], known.is_cancelled) << known.id << said_;
       EXPECT_EQ(now["priority"], known.priority) << known.id << said_;
-      EXPECT_EQ(now["cases"]["total"], kAxes[study]["Ca"].size() * kAxes[study]["V"].size()) << known.id << said_;
+      EXPECT_EQ(now["cases"]["total"], kAxes[study]["Ca"].size() * kAxes[study]["V"].size())
+          << known.id << said_;
     }
   }
 
@@ -161,7 +170,8 @@ TEST(CommandHistory, HoldsWhatWasAnsweredWhoeverIsKilled) {
   History history(seed);
   for (int life = 0; life < lives && !testing::Test::HasFailure(); ++life) history.live();
   history.end();
-  std::cout << lives << " lives, " << history.deaths_at_work() << " of them ended in the middle of a command\n";
+  std::cout << lives << " lives, " << history.deaths_at_work()
+            << " of them ended in the middle of a command\n";
   EXPECT_GE(history.deaths_at_work(), lives / 5);
 }
 

@@ -25,7 +25,8 @@ class UpkeepTest : public testing::Test {
   void SetUp() override {
     Daemon daemon(data_.path());
     Client client(daemon.url());
-    const std::string id = client.post("/v1/studies", study_document("kept", {{"Ca", {0.25, 0.75}}}).dump())["id"];
+    const std::string id =
+        client.post("/v1/studies", study_document("kept", {{"Ca", {0.25, 0.75}}}).dump())["id"];
     wait_for_cases(client, id, "done", 2);
     case_id_ = client.get("/v1/studies/" + id + "/cases")["cases"][0]["id"];
     EXPECT_EQ(daemon.end_with(SIGTERM), 0);
@@ -44,7 +45,9 @@ class UpkeepTest : public testing::Test {
     EXPECT_THAT(mended.output, HasSubstr("mended: "));
     EXPECT_EQ(doctor().output, "all is well\n");
   }
-  void change(const char* sql) { Database(data_.path() / "capstan.sqlite", Database::Access::write).execute_script(sql); }
+  void change(const char* sql) {
+    Database(data_.path() / "capstan.sqlite", Database::Access::write).execute_script(sql);
+  }
   fs::path run() const { return data_.path() / "runs" / case_id_; }
 
   TemporaryDirectory data_, elsewhere_;
@@ -106,10 +109,12 @@ TEST_F(UpkeepTest, DoctorLooksAtAServedDirectoryButMendsNothingThere) {
 TEST_F(UpkeepTest, BackupOfARunningDaemonHoldsAllResults) {
   const Daemon daemon(data_.path());
   Client client(daemon.url());
-  client.post("/v1/studies", study_document("more", {{"Ca", {{"from", 0.1}, {"to", 1}, {"count", 50}}}}).dump());
+  client.post("/v1/studies",
+              study_document("more", {{"Ca", {{"from", 0.1}, {"to", 1}, {"count", 50}}}}).dump());
   const fs::path restored = elsewhere_.path() / "data";
   fs::create_directories(restored);
-  const CommandResult backup = run_capstan("backup " + (restored / "capstan.sqlite").string() + " --data " + data_.path().string());
+  const CommandResult backup =
+      run_capstan("backup " + (restored / "capstan.sqlite").string() + " --data " + data_.path().string());
   EXPECT_EQ(backup.exit_code, 0) << backup.errors;
   EXPECT_EQ(broken_promise(restored), "");
   const Daemon successor(restored);
@@ -121,7 +126,8 @@ TEST_F(UpkeepTest, BackupOfARunningDaemonHoldsAllResults) {
 TEST_F(UpkeepTest, BackupThatCannotBeWrittenLeavesTheOldOne) {
   const fs::path copy = elsewhere_.path() / "copy.sqlite";
   overwrite(copy, "the old one");
-  const CommandResult backup = run_capstan("backup " + copy.string() + " --data " + elsewhere_.path().string());
+  const CommandResult backup =
+      run_capstan("backup " + copy.string() + " --data " + elsewhere_.path().string());
   EXPECT_EQ(backup.exit_code, 1);
   EXPECT_EQ(file_bytes(copy), "the old one");
 }

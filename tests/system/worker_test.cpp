@@ -37,7 +37,8 @@ class WorkerTest : public testing::Test {
   TemporaryDirectory data_;
 };
 
-/// The fencing test. All that the first process still needed for a result was there: it must never publish it.
+/// The fencing test. All that the first process still needed for a result was there: it must never publish
+/// it.
 TEST_F(WorkerTest, StoppedPastItsLeaseAndContinuedPublishesNothing) {
   const Daemon daemon(data_.path(), {"--cores", "1", "--lease", "1"});
   Client client(daemon.url());
@@ -76,7 +77,8 @@ TEST_F(WorkerTest, TooLargeIsEndedAndSaysHowMuchItTook) {
   Client client(daemon.url());
   const std::string id = submit(client, 45);
   wait_for_cases(client, id, "failed", 1);
-  EXPECT_THAT(only_case(client, id)["message"].get<std::string>(), HasSubstr("MB of memory; the limit is 60"));
+  EXPECT_THAT(only_case(client, id)["message"].get<std::string>(),
+              HasSubstr("MB of memory; the limit is 60"));
   EXPECT_EQ(only_case(client, id)["crashes"], 0);
 }
 

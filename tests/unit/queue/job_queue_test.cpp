@@ -333,7 +333,8 @@ TEST_F(JobQueueTest, KeptSumsAreThoseOfACountAfterAnyHistory) {
     if (choice == 2) queue_.retry(queue_.submit(study).study_id);
     if (choice == 3 || choice == 4)
       if (const auto claim = queue_.claim()) running.push_back(*claim);
-    if (choice == 8) replace_failed(database_, queue_.submit(study).study_id, {{"kdt", 0.001 + 0.0001 * step}});
+    if (choice == 8)
+      replace_failed(database_, queue_.submit(study).study_id, {{"kdt", 0.001 + 0.0001 * step}});
     if (choice > 4 && choice < 8 && !running.empty()) {
       const Claim claim = running.back();
       running.pop_back();
