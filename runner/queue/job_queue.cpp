@@ -145,7 +145,8 @@ bool JobQueue::retry(const std::string& study_id) {
   Transaction transaction(database_);
   database_.execute(
       "UPDATE cases SET state = 'queued', crashes = 0, not_before = 0, message = 'to be tried again'"
-      " WHERE state = 'failed' AND id IN (SELECT case_id FROM study_cases WHERE study_id = ?)",
+      " WHERE state = 'failed' AND id IN (SELECT case_id FROM study_cases JOIN studies s ON s.id = study_id"
+      " WHERE s.id = ? AND cancelled_at IS NULL)",
       study_id);
   transaction.commit();
   return true;

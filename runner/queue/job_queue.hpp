@@ -68,7 +68,7 @@ class JobQueue {
   // The following return false if there is no such study.
   bool set_priority(const std::string& study_id, int priority);  ///< the higher, the sooner; 0 at first
   bool pause(const std::string& study_id, bool is_paused);       ///< what runs goes on, nothing is started
-  bool retry(const std::string& study_id);                       ///< queues its failed cases again
+  bool retry(const std::string& study_id);  ///< queues its failed cases again, unless it is cancelled
 
   /// The next case of the study whose turn it is: of the highest priority, and there of the one served
   /// longest ago.

@@ -60,10 +60,11 @@ std::string add_case(Database& database, const Case& c) {
 Issues replace_failed(Database& database, const std::string& study_id, const nlohmann::json& fidelity) {
   Transaction transaction(database);
   Issues issues;
-  for (auto& [id, document] :
-       read_cases(database.query("SELECT id, document FROM study_cases JOIN cases ON id = case_id"
-                                 " WHERE study_id = ? AND state IN ('failed', 'diverged')",
-                                 study_id))) {
+  for (auto& [id, document] : read_cases(
+           database.query("SELECT c.id, c.document FROM study_cases JOIN cases c ON c.id = case_id JOIN "
+                          "studies s ON s.id = study_id"
+                          " WHERE s.id = ? AND cancelled_at IS NULL AND state IN ('failed', 'diverged')",
+                          study_id))) {
     document["fidelity"] = fidelity;
     const ParsedCase parsed = parse_case(document);
     if (parsed.value) replace(database, id, *parsed.value, study_id);

@@ -297,6 +297,17 @@ TEST_F(JobQueueTest, RetryQueuesTheFailedCasesAlone) {
   EXPECT_FALSE(queue_.retry("nobody-0000"));
 }
 
+TEST_F(JobQueueTest, RetryOfACancelledStudyQueuesNothing) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  const auto failed = queue_.claim();
+  queue_.finish(*failed, Ending::failed, "no memory");
+  queue_.cancel(id);
+  EXPECT_TRUE(queue_.retry(id));
+  EXPECT_EQ(state_of(failed->case_id), "failed");
+  EXPECT_TRUE(replace_failed(database_, id, "fine").empty());
+  EXPECT_EQ(count("cases"), 2);
+}
+
 TEST_F(JobQueueTest, KeyStandsForOneStudy) {
   const std::string id = queue_.submit(two_cases_, "key").study_id;
   EXPECT_EQ(queue_.submit(two_cases_, "key").study_id, id);
