@@ -49,7 +49,7 @@ class Campaign {
     const TemporaryDirectory data;
     const Daemon daemon(data.path());
     Client client(daemon.url());
-    wait_for_cases(client, submit(client), "done", cases_);
+    wait_for_all(client);
     return answers_in(data.path());
   }
 
@@ -60,17 +60,11 @@ class Campaign {
     }
   }
 
-  /// Undisturbed at last. A worker that was killed twice has had its case set aside: that is asked for again.
+  /// Undisturbed at last.
   std::map<std::string, Answer> complete() {
     const Daemon daemon(data_.path());
     Client client(daemon.url());
-    const std::string id = submit(client);
-    for (ordered_json study; study["cases"]["done"] != cases_;) {
-      study = wait_for(client, "/v1/studies/" + id, [](const ordered_json& now) {
-        return now["cases"]["failed"] > 0 || now["cases"]["done"] == now["cases"]["total"];
-      });
-      if (study["cases"]["failed"] > 0) client.post("/v1/studies/" + id + "/retry", "");
-    }
+    wait_for_all(client);
     return answers_in(data_.path());
   }
 
@@ -86,6 +80,19 @@ class Campaign {
   int kills() const { return at_points_ + at_any_moment_; }
 
  private:
+  /// Any case may take a minute, all of them as long as they want. A worker that was killed twice has had its
+  /// case set aside: that is asked for again.
+  void wait_for_all(Client& client) {
+    const std::string study = "/v1/studies/" + submit(client);
+    for (int done = 0; done < cases_ && !testing::Test::HasFailure();) {
+      const ordered_json now = wait_for(client, study, [&](const ordered_json& seen) {
+        return seen["cases"]["done"] > done || seen["cases"]["failed"] > 0;
+      });
+      done = now["cases"]["done"];
+      if (now["cases"]["failed"] > 0) client.post(study + "/retry", "");
+    }
+  }
+
   std::string submit(Client& client) { return client.post("/v1/studies", study_of(cases_))["id"]; }
 
   /// So that the study lasts as long as the kills do: a life may finish cases only while they are behind.
