@@ -14,9 +14,18 @@ struct ServeArguments {
   std::vector<std::string> hosts = {};  ///< names of this server besides its addresses
   double memory_mb = 0;                 ///< that a case may take; 0: as much as it wants
   int wall_seconds = 0;                 ///< that an attempt may take; 0: as long as it wants
+  int lease_seconds = 60;               ///< that a process may stand still
   int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 int serve(const ServeArguments& arguments);
+
+struct UpkeepArguments {
+  std::string data = "capstan-data";
+  bool mend = false;  ///< of examine_data
+  std::string file;   ///< of back_up
+};
+int examine_data(const UpkeepArguments& arguments);
+int back_up(const UpkeepArguments& arguments);
 
 int validate_study(const std::string& file);
 

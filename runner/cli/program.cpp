@@ -46,6 +46,10 @@ Action declare_serve(CLI::App& command) {
       .add_option("--wall-time", arguments->wall_seconds, "seconds that an attempt may take; without it, any")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
+  command.add_option("--lease", arguments->lease_seconds, "seconds that a process may stand still")
+      ->check(CLI::Range(1, 86400))
+      ->type_name("S")
+      ->capture_default_str();
   command.footer(
       "Ctrl-C or SIGTERM: running cases write a checkpoint, and the next start goes on from there.\n"
       "A token in the environment (CAPSTAN_TOKEN, or a file named by CAPSTAN_TOKEN_FILE) is asked of every "
@@ -53,6 +57,36 @@ Action declare_serve(CLI::App& command) {
       "addresses that other machines can reach need one.\n"
       "Example:\n  capstan serve --data /srv/capsules --cores 4\n");
   return [arguments] { return serve(*arguments); };
+}
+
+void add_data_option(CLI::App& command, std::string& data) {
+  command.add_option("--data", data, "the data directory of a server")
+      ->type_name("DIR")
+      ->capture_default_str();
+}
+
+Action declare_doctor(CLI::App& command) {
+  auto arguments = std::make_shared<UpkeepArguments>();
+  add_data_option(command, arguments->data);
+  command.add_flag("--repair", arguments->mend,
+                   "mend what can be mended without losing anything; stop the server first");
+  command.footer(
+      "Exit code 0: all is well, or mended. 1: some faults are left.\n"
+      "Example:\n  capstan doctor --data /srv/capsules\n");
+  return [arguments] { return examine_data(*arguments); };
+}
+
+Action declare_backup(CLI::App& command) {
+  auto arguments = std::make_shared<UpkeepArguments>();
+  command.add_option("FILE", arguments->file, "the copy; replaced if it is there")->required();
+  add_data_option(command, arguments->data);
+  command.footer(
+      "The server may be running. To go back to the copy, put it into an empty data directory as "
+      "capstan.sqlite.\n"
+      "Shapes and checkpoints stand in runs/, whose files are only ever replaced whole: copy it with any "
+      "tool.\n"
+      "Example:\n  capstan backup capsules.sqlite --data /srv/capsules\n");
+  return [arguments] { return back_up(*arguments); };
 }
 
 Action declare_validate(CLI::App& command) {
@@ -103,6 +137,21 @@ Action declare_change(CLI::App& command) {
   add_server_option(command, arguments->server);
   command.footer("Example:\n  capstan " + command.get_name() + " quickstart-3f9c\n");
   return [arguments, change = command.get_name()] { return change_study(*arguments, change); };
+}
+
+Action declare_retry(CLI::App& command) {
+  auto arguments = std::make_shared<StudyArguments>();
+  auto fidelity = std::make_shared<std::string>();
+  command.add_option("ID", arguments->id, "the study")->required();
+  command
+      .add_option("--fidelity", *fidelity, "compute the failed and diverged cases at this one, as \"fine\"")
+      ->type_name("PRESET");
+  add_server_option(command, arguments->server);
+  command.footer("Example:\n  capstan retry quickstart-3f9c --fidelity fine\n");
+  return [arguments, fidelity] {
+    const nlohmann::json body = {{"fidelity", *fidelity}};
+    return change_study(*arguments, "retry", fidelity->empty() ? "" : body.dump());
+  };
 }
 
 Action declare_priority(CLI::App& command) {
@@ -189,6 +238,8 @@ struct Command {
 
 constexpr Command kCommands[] = {
     {"serve", "run the server: takes studies, computes their cases, answers over HTTP", declare_serve},
+    {"doctor", "check a data directory: the database, the run directories, the disk", declare_doctor},
+    {"backup", "copy the database, also of a running server", declare_backup},
     {"validate", "check a study file; every fault is reported", declare_validate},
     {"submit", "hand a study to the server", declare_submit},
     {"studies", "list all studies, the newest first", declare_studies},
@@ -199,7 +250,7 @@ constexpr Command kCommands[] = {
     {"cancel", "take back what a study has not computed yet", declare_change},
     {"pause", "start no more cases of a study; what runs goes on", declare_change},
     {"resume", "start cases of a paused study again", declare_change},
-    {"retry", "queue the failed cases of a study again", declare_change},
+    {"retry", "queue the failed cases of a study again, at a finer setting if asked", declare_retry},
     {"priority", "the studies of the highest number come first, equals take turns", declare_priority},
     {"why", "what a case waits for, or why it is where it is", declare_why},
 };

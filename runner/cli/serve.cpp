@@ -21,14 +21,14 @@ int serve(const ServeArguments& arguments) {
   const DataDirectory data(arguments.data);
   LocalExecutor executor;
   Service service(data, executor, clock, arguments.cores,
-                  {arguments.memory_mb, std::chrono::seconds(arguments.wall_seconds)});
+                  {arguments.memory_mb, std::chrono::seconds(arguments.wall_seconds)},
+                  std::chrono::seconds(arguments.lease_seconds));
   service.on_change(wake_loop);
   const Server server(service, address, access);
   std::cout << "Capstan serves " << url_of(server.address()) << " with " << arguments.cores
             << (arguments.cores == 1 ? " core" : " cores") << ", data in " << data.path().string()
             << std::endl;
-  work_until_terminated(service);
-  return kExitDone;
+  return work_until_terminated(service) ? kExitDone : kExitError;
 }
 
 }  // namespace capstan

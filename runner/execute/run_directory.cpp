@@ -13,9 +13,30 @@ std::string read_from(std::ifstream& stream) { return {std::istreambuf_iterator<
 
 }  // namespace
 
+/// The case is in the database, so its file need not survive a power failure: one that did not is written
+/// again.
 void RunDirectory::prepare(const std::string& case_document) const {
   std::filesystem::create_directories(path_);
-  if (!std::filesystem::exists(case_file())) write_durably(case_file(), case_document + "\n");
+  std::ifstream there(case_file(), std::ios::binary);
+  if (read_from(there) != case_document + "\n") write_atomically(case_file(), case_document + "\n");
+}
+
+std::vector<std::filesystem::path> RunDirectory::partial_files() const {
+  std::vector<std::filesystem::path> partial;
+  std::error_code none;  // the run was killed before it had a directory
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path_, none))
+    if (entry.path().extension() == ".partial") partial.push_back(entry.path());
+  return partial;
+}
+
+void RunDirectory::remove_partial_files() const {
+  for (const auto& file : partial_files()) std::filesystem::remove(file);
+}
+
+bool RunDirectory::is_worthless() const {
+  for (const char* kept : {"result.json", "checkpoint-a.h5", "checkpoint-b.h5"})
+    if (std::filesystem::exists(path_ / kept)) return false;
+  return true;
 }
 
 std::optional<nlohmann::ordered_json> RunDirectory::result() const {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace capstan {
 
@@ -18,8 +19,15 @@ class RunDirectory {
   std::filesystem::path log_file() const { return path_ / "log"; }
   std::filesystem::path lock_file() const { return path_ / "lock"; }
 
-  /// Makes the directory and the case file, if they are not there yet.
+  /// Makes the directory and the case file, if they are not there yet or damaged.
   void prepare(const std::string& case_document) const;
+
+  /// Takes away what a killed process left half-written. Nobody works in the directory.
+  void remove_partial_files() const;
+  bool has_partial_files() const { return !partial_files().empty(); }
+
+  /// Neither a result nor a checkpoint: to delete it loses nothing.
+  bool is_worthless() const;
 
   /// result.json, if the run has ended and left one that can be read.
   std::optional<nlohmann::ordered_json> result() const;
@@ -28,6 +36,8 @@ class RunDirectory {
   std::string log_tail(std::size_t size = 2000) const;
 
  private:
+  std::vector<std::filesystem::path> partial_files() const;
+
   std::filesystem::path path_;
 };
 

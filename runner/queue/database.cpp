@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "runner/queue/schema.hpp"
+#include "solver/state/durable_file.hpp"
 
 namespace capstan {
 namespace {
@@ -90,15 +91,18 @@ std::string Statement::text(int column) const {
                : std::string();
 }
 
-Database::Database(const std::filesystem::path& file, Access access) {
-  const int flags =
-      access == Access::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY;
+Database::Database(const std::filesystem::path& file, Access access)
+    : Database(file,
+               access == Access::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY) {
+  if (access == Access::write) prepare_for_writing();
+}
+
+Database::Database(const std::filesystem::path& file, int flags) {
   sqlite3* connection = nullptr;
   const int code = sqlite3_open_v2(file.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   connection_.reset(connection);
   if (code != SQLITE_OK) fail(connection, "open " + file.string());
   sqlite3_busy_timeout(connection, 5000);
-  if (access == Access::write) prepare_for_writing();
 }
 
 /// An answered submission must survive a power failure: FULL syncs the log at every commit.
@@ -126,9 +130,29 @@ void Database::execute_script(const char* sql) {
     fail(connection_.get(), sql);
 }
 
+void Database::copy_to(const std::filesystem::path& file) {
+  PendingFile pending(file);
+  std::filesystem::remove(pending.temporary());
+  {
+    Database copy(pending.temporary(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    sqlite3_backup* copying = sqlite3_backup_init(copy.connection_.get(), "main", connection_.get(), "main");
+    if (!copying) fail(copy.connection_.get(), "copy");
+    sqlite3_backup_step(copying, -1);
+    if (sqlite3_backup_finish(copying) != SQLITE_OK) fail(copy.connection_.get(), "copy");
+    copy.execute_script("PRAGMA journal_mode = DELETE");  // all in one file
+    Statement check = copy.query("PRAGMA integrity_check");
+    if (!check.step() || check.text(0) != "ok") throw DatabaseError("the copy is damaged: " + check.text(0));
+  }
+  pending.publish();
+}
+
 /// IMMEDIATE: a transaction that reads first and then writes would fail when another one wrote in between.
-Transaction::Transaction(Database& database) : database_(database), is_open_(!database.in_transaction()) {
-  if (is_open_) database_.execute_script("BEGIN IMMEDIATE");
+Transaction::Transaction(Database& database, Survives survives)
+    : database_(database), is_open_(!database.in_transaction()) {
+  if (!is_open_) return;
+  database_.execute_script(survives == Survives::power_failure ? "PRAGMA synchronous = FULL"
+                                                               : "PRAGMA synchronous = NORMAL");
+  database_.execute_script("BEGIN IMMEDIATE");
 }
 
 Transaction::~Transaction() {

@@ -100,9 +100,13 @@ class Database {
   }
 
   void execute_script(const char* sql);
+
+  /// Replaces the file by a copy of one moment, whatever is written meanwhile. The copy has been checked.
+  void copy_to(const std::filesystem::path& file);
   bool in_transaction() const { return sqlite3_get_autocommit(connection_.get()) == 0; }
 
  private:
+  Database(const std::filesystem::path& file, int flags);
   void prepare_for_writing();
   void bring_to_present_format();
 
@@ -113,10 +117,14 @@ class Database {
   std::shared_ptr<IdleStatements> idle_ = std::make_shared<IdleStatements>();
 };
 
+/// What a commit outlives. A promise to a client waits for the disk; what only says how far a run is need
+/// not: who died in a power failure runs no more, and its run directory says the rest.
+enum class Survives { kill, power_failure };
+
 /// All or nothing. Inside another transaction it is a part of that one, and undone with it.
 class Transaction {
  public:
-  explicit Transaction(Database& database);
+  explicit Transaction(Database& database, Survives survives = Survives::power_failure);
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;

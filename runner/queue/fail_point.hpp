@@ -5,7 +5,7 @@
 namespace capstan {
 
 /// Kills this process with SIGKILL at its Nth passing of the point, if CAPSTAN_FAIL_AT is "NAME:N". The names
-/// stand in tests/system/kill_test.cpp.
+/// stand in tests/support/campaign.hpp.
 void fail_point(std::string_view name);
 
 }  // namespace capstan

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "runner/queue/fail_point.hpp"
+#include "runner/queue/replacement.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {
@@ -51,22 +52,24 @@ Submission JobQueue::submit(const Study& study, const std::string& key) {
   const std::string hash = sha256_hex(document);
   Transaction transaction(database_);
   if (!key.empty()) remember(key, hash);
-  Statement known = database_.query("SELECT id FROM studies WHERE document_hash = ?", hash);
+  const std::string identity = std::to_string(kNumericsVersion) + ":" + hash;
+  Statement known = database_.query("SELECT id FROM studies WHERE document_hash = ?", identity);
   Submission submission;
   submission.is_new = !known.step();
   submission.study_id = submission.is_new ? study_id_for(study, hash) : known.text(0);
-  if (submission.is_new)
+  if (submission.is_new) {
     database_.execute(
         "INSERT INTO studies (id, name, description, document, document_hash, axes, submitted_at)"
         " VALUES (?, ?, ?, ?, ?, ?, ?)",
-        submission.study_id, study.name, study.description, document, hash, listed(study.axes).dump(),
+        submission.study_id, study.name, study.description, document, identity, listed(study.axes).dump(),
         clock_.now());
-  else
+    add_cases(submission.study_id, study);
+  } else {
     database_.execute("UPDATE studies SET cancelled_at = NULL WHERE id = ?", submission.study_id);
-  add_cases(submission.study_id, study);
+  }
+  want_cases(submission.study_id);
   fail_point("submitting");
   transaction.commit();
-  fail_point("submitted");
   return submission;
 }
 
@@ -90,13 +93,13 @@ void JobQueue::remember(const std::string& key, const std::string& document_hash
 
 void JobQueue::add_cases(const std::string& study_id, const Study& study) {
   int position = 0;
-  for (const Case& c : study.cases) {
-    const std::string id = case_id(c);
-    database_.execute("INSERT INTO cases (id, document) VALUES (?, ?) ON CONFLICT (id) DO NOTHING", id,
-                      to_json(c).dump());
-    database_.execute("INSERT INTO study_cases VALUES (?, ?, ?) ON CONFLICT DO NOTHING", study_id, position++,
-                      id);
-  }
+  for (const Case& c : study.cases)
+    database_.execute("INSERT INTO study_cases (study_id, position, case_id) VALUES (?, ?, ?)", study_id,
+                      position++, add_case(database_, c));
+}
+
+/// Those that were cancelled, or are about to be, are wanted again.
+void JobQueue::want_cases(const std::string& study_id) {
   const std::string wanted = " AND id IN (SELECT case_id FROM study_cases WHERE study_id = ?)";
   database_.execute("UPDATE cases SET state = 'queued', message = '' WHERE state = 'cancelled'" + wanted,
                     study_id);
@@ -122,36 +125,47 @@ bool JobQueue::cancel(const std::string& study_id) {
 }
 
 bool JobQueue::set_priority(const std::string& study_id, int priority) {
-  return database_.execute("UPDATE schedule SET priority = ? WHERE study_id = ?", priority, study_id) > 0;
+  Transaction transaction(database_);
+  const int known =
+      database_.execute("UPDATE schedule SET priority = ? WHERE study_id = ?", priority, study_id);
+  transaction.commit();
+  return known > 0;
 }
 
 bool JobQueue::pause(const std::string& study_id, bool is_paused) {
-  return database_.execute("UPDATE schedule SET is_paused = ? WHERE study_id = ?", is_paused ? 1 : 0,
-                           study_id) > 0;
+  Transaction transaction(database_);
+  const int known =
+      database_.execute("UPDATE schedule SET is_paused = ? WHERE study_id = ?", is_paused ? 1 : 0, study_id);
+  transaction.commit();
+  return known > 0;
 }
 
 bool JobQueue::retry(const std::string& study_id) {
   if (!database_.query("SELECT 1 FROM studies WHERE id = ?", study_id).step()) return false;
+  Transaction transaction(database_);
   database_.execute(
       "UPDATE cases SET state = 'queued', crashes = 0, not_before = 0, message = 'to be tried again'"
-      " WHERE state = 'failed' AND id IN (SELECT case_id FROM study_cases WHERE study_id = ?)",
+      " WHERE state = 'failed' AND id IN (SELECT case_id FROM study_cases JOIN studies s ON s.id = study_id"
+      " WHERE s.id = ? AND cancelled_at IS NULL)",
       study_id);
+  transaction.commit();
   return true;
 }
 
+/// A back-off that ends later than one that began now was written before the clock was set back: it is over.
 std::optional<Claim> JobQueue::claim() {
-  Transaction transaction(database_);
+  Transaction transaction(database_, Survives::kill);
   const Time now = clock_.now();
   Statement turn = database_.query(
       "SELECT s.number, w.case_id FROM schedule s JOIN waiting w ON w.study_number = s.number"
-      " WHERE s.queued > 0 AND s.is_paused = 0 AND w.not_before <= ?"
+      " WHERE s.queued > 0 AND s.is_paused = 0 AND (w.not_before <= ?1 OR w.not_before > ?2)"
       " ORDER BY s.priority DESC, s.served, s.number, w.position LIMIT 1",
-      now);
+      now, Time(now + kBackOff));
   if (!turn.step()) return std::nullopt;
   Statement row = database_.query(
       "UPDATE cases SET state = 'running', message = '', attempt = attempt + 1, token = ?, lease_until = ?"
       " WHERE id = ? RETURNING id, document, token, attempt, ''",
-      new_token(), Time(now + kLease), turn.text(1));
+      new_token(), Time(now + lease_), turn.text(1));
   row.step();
   const Claim claim = read_claim(row);
   row.step();
@@ -165,16 +179,29 @@ std::optional<Claim> JobQueue::claim() {
 }
 
 void JobQueue::started(const Claim& claim, const std::string& handle) {
-  Transaction transaction(database_);
+  Transaction transaction(database_, Survives::kill);
   database_.execute("UPDATE attempts SET handle = ? WHERE case_id = ? AND attempt = ?", handle, claim.case_id,
                     claim.attempt);
   transaction.commit();
 }
 
+bool JobQueue::put_back(const Claim& claim, const std::string& reason) {
+  Transaction transaction(database_, Survives::kill);
+  const int held = database_.execute(
+      "UPDATE cases SET token = NULL, lease_until = NULL, attempt = attempt - 1, message = ?, not_before = ?,"
+      " state = iif(cancel_requested, 'cancelled', 'queued'), cancel_requested = 0 WHERE id = ? AND token = "
+      "?",
+      reason, Time(clock_.now() + kBackOff), claim.case_id, claim.token);
+  if (held == 0) return false;
+  database_.execute("DELETE FROM attempts WHERE case_id = ? AND attempt = ?", claim.case_id, claim.attempt);
+  transaction.commit();
+  return true;
+}
+
 bool JobQueue::renew(const Claim& claim) {
-  Transaction transaction(database_);
+  Transaction transaction(database_, Survives::kill);
   const int renewed = database_.execute("UPDATE cases SET lease_until = ? WHERE id = ? AND token = ?",
-                                        Time(clock_.now() + kLease), claim.case_id, claim.token);
+                                        Time(clock_.now() + lease_), claim.case_id, claim.token);
   transaction.commit();
   return renewed > 0;
 }
@@ -241,7 +268,7 @@ std::vector<Claim> JobQueue::running() {
 }
 
 int JobQueue::give_back_expired() {
-  Transaction transaction(database_);
+  Transaction transaction(database_, Survives::kill);
   std::vector<Claim> expired;
   Statement row = database_.query(
       "SELECT id, document, token, attempt, '' FROM cases WHERE state = 'running' AND lease_until < ?",

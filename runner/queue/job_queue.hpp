@@ -45,12 +45,16 @@ class KeyReused : public std::invalid_argument {
 class JobQueue {
  public:
   static constexpr std::chrono::seconds kLease{60};
-  static constexpr std::chrono::seconds kHeartbeat{10};  ///< a sixth of the lease
+  static constexpr int kHeartbeats = 6;  ///< in one lease
   static constexpr int kMostCrashes = 2;
   static constexpr std::chrono::seconds kBackOff{5};  ///< between a crash and the next attempt
 
   /// \param database  the writer; whoever shares the queue between threads locks
-  JobQueue(Database& database, const Clock& clock) : database_(database), clock_(clock) {}
+  JobQueue(Database& database, const Clock& clock, std::chrono::milliseconds lease = kLease)
+      : database_(database), clock_(clock), lease_(lease) {}
+
+  /// How often a claim is to be renewed.
+  std::chrono::milliseconds heartbeat() const { return lease_ / kHeartbeats; }
 
   /// Equal cases are one case, and the same study again is the same study: its cancelled cases are queued
   /// again.
@@ -64,7 +68,7 @@ class JobQueue {
   // The following return false if there is no such study.
   bool set_priority(const std::string& study_id, int priority);  ///< the higher, the sooner; 0 at first
   bool pause(const std::string& study_id, bool is_paused);       ///< what runs goes on, nothing is started
-  bool retry(const std::string& study_id);                       ///< queues its failed cases again
+  bool retry(const std::string& study_id);  ///< queues its failed cases again, unless it is cancelled
 
   /// The next case of the study whose turn it is: of the highest priority, and there of the one served
   /// longest ago.
@@ -75,6 +79,9 @@ class JobQueue {
 
   // The following return false when the token holds no longer: then nothing is recorded, and the run is to
   // end.
+  /// The run could not be started: that was no attempt. Tried again after a back-off, so that others have
+  /// their turn.
+  bool put_back(const Claim& claim, const std::string& reason);
   bool renew(const Claim& claim);
   bool finish(const Claim& claim, Ending ending, const std::string& message);
   bool interrupted(const Claim& claim, const std::string& reason);
@@ -92,10 +99,12 @@ class JobQueue {
   std::string study_id_for(const Study& study, const std::string& hash);
   void remember(const std::string& key, const std::string& document_hash);
   void add_cases(const std::string& study_id, const Study& study);
+  void want_cases(const std::string& study_id);
   bool end_attempt(const Claim& claim, std::string_view ending, const std::string& reason);
 
   Database& database_;
   const Clock& clock_;
+  const std::chrono::milliseconds lease_;
 };
 
 }  // namespace capstan

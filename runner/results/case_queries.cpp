@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 constexpr const char* kColumns =
     "SELECT c.id, c.state, c.message, c.document, c.kt, c.attempt, c.crashes, r.motion, r.document";
 constexpr const char* kTables = " FROM cases c LEFT JOIN results r ON r.case_id = c.id ";
-constexpr int kPosition = 9;  // after the columns, where a study is asked for
+constexpr int kPosition = 9, kReplaces = 10;  // after the columns, where a study is asked for
 
 bool is_ended(const std::string& state) { return state != "queued" && state != "running"; }
 
@@ -119,7 +119,7 @@ Page find_cases(Database& database, const std::string& study_id, const CaseFilte
                 const PageRequest& wanted) {
   // CROSS JOIN keeps the order of the tables: along the study, so that a page costs what it holds.
   std::string sql = std::string(kColumns) +
-                    ", s.position FROM study_cases s CROSS JOIN cases c ON c.id = s.case_id"
+                    ", s.position, s.replaces FROM study_cases s CROSS JOIN cases c ON c.id = s.case_id"
                     " LEFT JOIN results r ON r.case_id = c.id WHERE s.study_id = ? AND s.position > ?";
   for (const auto& [key, value] : filter) sql += condition_on(key, value);
   Statement row = database.query(sql + " ORDER BY s.position LIMIT " + std::to_string(wanted.limit + 1),
@@ -136,6 +136,7 @@ Page find_cases(Database& database, const std::string& study_id, const CaseFilte
       break;
     }
     page.items.push_back(case_of(row));
+    if (!row.is_null(kReplaces)) page.items.back()["replaces"] = row.text(kReplaces);
   }
   return page;
 }

@@ -40,7 +40,7 @@ std::vector<HistoryRecord> HistoryTail::read_new() {
 void store_history(Database& database, const std::string& case_id, std::size_t first,
                    const std::vector<HistoryRecord>& records) {
   if (records.empty()) return;
-  Transaction transaction(database);
+  Transaction transaction(database, Survives::kill);  // the run directory has them, too
   for (const HistoryRecord& record : records) {
     const auto& [kt, D_xy, theta, psi, volume, area] = record;
     database.execute("INSERT OR REPLACE INTO histories VALUES (?, ?, ?, ?, ?, ?, ?, ?)", case_id,

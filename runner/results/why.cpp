@@ -31,10 +31,11 @@ void add_reason_of_study(Database& database, const Statement& study, std::size_t
                     std::to_string(running) + " cases run on " + std::to_string(cores) + " cores");
 }
 
-ordered_json why_queued(Database& database, const std::string& case_id, std::int64_t not_before,
-                        std::size_t cores) {
+ordered_json why_queued(Database& database, const std::string& case_id, const std::string& message,
+                        std::int64_t not_before, std::size_t cores) {
   ordered_json reasons = ordered_json::array();
-  if (not_before > 0) reasons.push_back("its process died: not tried again before " + timestamp(not_before));
+  if (!message.empty()) reasons.push_back(message);
+  if (not_before > 0) reasons.push_back("not tried again before " + timestamp(not_before));
   Statement study = database.query(
       "SELECT s.id, s.cancelled_at IS NOT NULL, is_paused, s.number, position FROM study_cases w"
       " JOIN studies s ON s.id = w.study_id JOIN schedule USING (number) WHERE w.case_id = ?",
@@ -54,14 +55,17 @@ ordered_json why_running(Database& database, const std::string& case_id) {
 
 }  // namespace
 
-std::optional<ordered_json> why(Database& database, const std::string& case_id, std::size_t cores) {
+std::optional<ordered_json> why(Database& database, const std::string& case_id, std::size_t cores,
+                                const std::string& obstacle) {
   Statement row = database.query("SELECT state, message, not_before FROM cases WHERE id = ?", case_id);
   if (!row.step()) return std::nullopt;
   const std::string state = row.text(0);
   ordered_json answer = {{"id", case_id}, {"state", state}};
   if (state == "queued")
-    answer["reasons"] = why_queued(database, case_id, row.integer(2), cores);
-  else if (state == "running")
+    answer["reasons"] = why_queued(database, case_id, row.text(1), row.integer(2), cores);
+  if (state == "queued" && !obstacle.empty()) answer["reasons"].push_back(obstacle);
+  if (state == "queued") return answer;
+  if (state == "running")
     answer["reasons"] = why_running(database, case_id);
   else
     answer["reasons"] = {row.text(1).empty() ? "it has an answer" : row.text(1)};

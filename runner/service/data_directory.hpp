@@ -7,10 +7,17 @@
 
 namespace capstan {
 
+/// With less left on the disk no more is promised.
+inline constexpr std::uintmax_t kLeastFree = 100'000'000;  // bytes
+
+/// Its name, if statfs(2)'s f_type is that of a network file system, or "".
+std::string network_file_system(long type);
+
 class DataDirectory {
  public:
   /// Makes the directory if need be and holds it until the process ends. Throws std::runtime_error when
-  /// another daemon holds it.
+  /// another daemon holds it, or when it lies on a network file system: SQLite's log cannot be kept there.
+  /// Only `runs` may, as a symbolic link.
   explicit DataDirectory(const std::filesystem::path& path);
   ~DataDirectory();
   DataDirectory(const DataDirectory&) = delete;
@@ -18,7 +25,8 @@ class DataDirectory {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path database() const { return path_ / "capstan.sqlite"; }
-  RunDirectory run(const std::string& case_id) const { return RunDirectory(path_ / "runs" / case_id); }
+  std::filesystem::path runs() const { return path_ / "runs"; }
+  RunDirectory run(const std::string& case_id) const { return RunDirectory(runs() / case_id); }
 
  private:
   std::filesystem::path path_;

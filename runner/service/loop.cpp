@@ -27,13 +27,13 @@ int wait_for_signal(long milliseconds) {
   return sigtimedwait(&signals, nullptr, &longest);
 }
 
-/// How long to wait until the next one.
-long tick(Service& service) try {
+/// False if something could not be done.
+bool tick(Service& service) try {
   service.tick();
-  return kTick;
+  return true;
 } catch (const std::exception& error) {
   std::clog << "capstan: " << error.what() << std::endl;
-  return kPause;
+  return false;
 }
 
 }  // namespace
@@ -46,10 +46,11 @@ void hold_signals() {
 
 void wake_loop() { kill(getpid(), SIGUSR1); }
 
-void work_until_terminated(Service& service) {
-  for (bool draining = false; !draining || !service.is_idle();) {
-    const long pause = tick(service);
-    const int signal = wait_for_signal(pause);
+bool work_until_terminated(Service& service) {
+  for (bool draining = false;;) {
+    const bool is_well = tick(service);
+    if (draining && service.has_ended()) return service.is_idle();
+    const int signal = wait_for_signal(is_well || draining ? kTick : kPause);
     if (signal != SIGTERM && signal != SIGINT) continue;
     draining = true;
     service.drain();

@@ -12,7 +12,8 @@ void hold_signals();
 void wake_loop();
 
 /// Works until SIGTERM or SIGINT, then has all runs write a checkpoint and end. An error of the environment
-/// (a full disk) is said on standard error and tried again after a while.
-void work_until_terminated(Service& service);
+/// (a full disk) is said on standard error and tried again after a while. False if the end of a run could not
+/// be recorded: the next daemon finds it in the run directory.
+bool work_until_terminated(Service& service);
 
 }  // namespace capstan

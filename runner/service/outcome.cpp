@@ -7,6 +7,8 @@
 namespace capstan {
 namespace {
 
+constexpr int kResultFormat = 1;  // schema/run_directory.md
+
 std::string text_at(const nlohmann::ordered_json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
@@ -14,6 +16,12 @@ std::string text_at(const nlohmann::ordered_json& object, const char* key) {
 
 Outcome outcome_of_result(nlohmann::ordered_json result) {
   static const std::set<std::string> answers = {"reached_end", "classified", "steady"};
+  const auto format = result.find("format");
+  if (format != result.end() && *format > kResultFormat)
+    return {Outcome::Kind::failed,
+            "result.json has format " + format->dump() + ", this program reads format " +
+                std::to_string(kResultFormat),
+            {}};
   const bool has_answer = answers.contains(text_at(result, "stop"));
   std::string message = text_at(result, "message");
   return {has_answer ? Outcome::Kind::done : Outcome::Kind::diverged, std::move(message), std::move(result)};

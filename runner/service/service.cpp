@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "runner/execute/exit_code.hpp"
 #include "runner/queue/fail_point.hpp"
+#include "runner/queue/replacement.hpp"
 #include "runner/results/result.hpp"
+#include "runner/service/orphans.hpp"
 
 namespace capstan {
 namespace {
@@ -12,14 +15,15 @@ std::string whole(double number) { return std::to_string(static_cast<long long>(
 
 }  // namespace
 
-Service::Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores, Limits limits)
+Service::Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores, Limits limits,
+                 std::chrono::milliseconds lease)
     : data_(data),
       executor_(executor),
       clock_(clock),
       cores_(static_cast<std::size_t>(cores)),
       limits_(limits),
       database_(data.database(), Database::Access::write),
-      queue_(database_, clock) {
+      queue_(database_, clock, lease) {
   take_over();
 }
 
@@ -28,15 +32,53 @@ void Service::take_over() {
     const RunDirectory directory = data_.run(claim.case_id);
     executor_.cancel(claim.handle, Stop::kill);
     executor_.wait_until_free(directory);
+    directory.remove_partial_files();
     record(claim, outcome_of(RunEnd{}, directory));
   }
+  replace_outdated(database_);
+  for (const RunDirectory& orphan : orphans_in(data_.runs(), database_))
+    if (orphan.is_worthless()) std::filesystem::remove_all(orphan.path());
 }
 
 Submission Service::submit(const Study& study, const std::string& key) {
-  const std::lock_guard lock(writing_);
-  Submission submission = queue_.submit(study, key);
+  Waiting mine{study, key};
+  {
+    const std::lock_guard lock(joining_);
+    waiting_.push_back(&mine);
+  }
+  {
+    const std::lock_guard lock(writing_);
+    if (!mine.is_answered) submit_all_waiting();
+  }
+  if (mine.error) std::rethrow_exception(mine.error);
   changed_();
-  return submission;
+  return mine.submission;
+}
+
+/// One commit, and one wait for the disk, for all whose clients came while the disk was busy.
+void Service::submit_all_waiting() {
+  std::vector<Waiting*> together;
+  {
+    const std::lock_guard lock(joining_);
+    together.swap(waiting_);
+  }
+  std::exception_ptr error;
+  try {
+    Transaction transaction(database_);
+    for (Waiting* each : together) try {
+        each->submission = queue_.submit(each->study, each->key);
+      } catch (const KeyReused&) {  // has changed nothing, and concerns nobody else
+        each->error = std::current_exception();
+      }
+    transaction.commit();
+    fail_point("submitted");
+  } catch (...) {
+    error = std::current_exception();
+  }
+  for (Waiting* each : together) {
+    if (error) each->error = error;
+    each->is_answered = true;
+  }
 }
 
 bool Service::write(const std::function<bool()>& change) {
@@ -62,6 +104,13 @@ bool Service::retry(const std::string& study_id) {
   return write([&] { return queue_.retry(study_id); });
 }
 
+Issues Service::retry_at(const std::string& study_id, const nlohmann::json& fidelity) {
+  const std::lock_guard lock(writing_);
+  Issues issues = replace_failed(database_, study_id, fidelity);
+  changed_();
+  return issues;
+}
+
 Database Service::reader() const {
   Database database(data_.database(), Database::Access::read);
   database.execute_script("BEGIN");
@@ -70,60 +119,96 @@ Database Service::reader() const {
 
 void Service::drain() { draining_ = true; }
 
+bool Service::has_ended() const {
+  return std::all_of(runs_.begin(), runs_.end(), [](const Run& run) { return run.end.has_value(); });
+}
+
+/// First the processes, then the database: a full disk must not keep a run from being stopped.
 void Service::tick() {
   const std::lock_guard lock(writing_);
   for (Run& run : runs_) look_after(run);
+  for (Run& run : runs_) write_down(run);
   std::erase_if(runs_, [](const Run& run) { return run.is_recorded; });
   queue_.give_back_expired();
   while (!draining_ && runs_.size() < cores_ && start_next()) {
   }
 }
 
-/// The environment's faults (a full disk, no process to be had) are not the case's: it goes back to the
-/// queue.
+std::string Service::why_nothing_starts() const {
+  const std::filesystem::path runs = data_.runs();
+  if (std::filesystem::space(runs).available >= kept_free_) return "";
+  return "less than " + std::to_string(kept_free_ / 1'000'000) + " MB are free in " + runs.string() +
+         ": nothing is started";
+}
+
+/// A directory that is complete, of a case that nobody has recorded, is recorded: the database came back from
+/// a backup, or a power failure took the last commit.
 bool Service::start_next() {
+  if (!why_nothing_starts().empty()) return false;
   std::optional<Claim> claim = queue_.claim();
   if (!claim) return false;
   const RunDirectory directory = data_.run(claim->case_id);
-  try {
-    directory.prepare(claim->document);
-    fail_point("prepared");
-    claim->handle = executor_.start(directory);
-    fail_point("spawned");
-  } catch (const std::exception& error) {
-    queue_.interrupted(*claim, std::string("could not be started: ") + error.what());
-    throw;
-  }
-  runs_.push_back({*claim, HistoryTail(directory.history_file()), clock_.now(), clock_.now()});
-  queue_.started(*claim, claim->handle);
-  fail_point("started");
+  if (directory.result())
+    record(*claim, outcome_of(RunEnd{}, directory));
+  else
+    start(*claim);
   return true;
 }
 
+/// The environment's faults (a full disk, no process to be had) are not the case's: it goes back to the
+/// queue.
+void Service::start(Claim& claim) {
+  const RunDirectory directory = data_.run(claim.case_id);
+  try {
+    directory.prepare(claim.document);
+    fail_point("prepared");
+    claim.handle = executor_.start(directory);
+    fail_point("spawned");
+  } catch (const std::exception& error) {
+    queue_.put_back(claim, std::string("could not be started: ") + error.what());
+    throw;
+  }
+  const auto elapsed = clock_.elapsed();
+  runs_.push_back({claim, HistoryTail(directory.history_file()), clock_.now(), elapsed, elapsed});
+  queue_.started(claim, claim.handle);
+  fail_point("started");
+}
+
 void Service::look_after(Run& run) {
-  follow_history(run);
-  keep_lease(run);
+  if (run.end) return;
+  feel_pulse(run);
   hold_to_limits(run);
   if (draining_ || queue_.is_to_be_cancelled(run.claim)) ask_to_stop(run);
-  if (!run.end) run.end = executor_.poll(run.claim.handle);
-  if (!run.end) return;
+  run.end = executor_.poll(run.claim.handle);
+}
+
+void Service::write_down(Run& run) {
+  const std::size_t first = run.history.size();
+  store_history(database_, run.claim.case_id, first, run.history.read_new());
+  if (!run.end) return keep_lease(run);
   record(run.claim, outcome_of_run(run));
   run.is_recorded = true;
 }
 
-/// A lease is renewed only while the process computes: one that was stopped or hangs loses it, and is killed.
+/// By the time of day, as the lease is: after a jump of the clock, either way, it is renewed at once.
 void Service::keep_lease(Run& run) {
-  const Time now = clock_.now();
-  if (now - run.renewed < JobQueue::kHeartbeat) return;
-  const auto usage = executor_.usage(run.claim.handle);
-  if (usage && usage->cpu_seconds == run.cpu_seconds) {
-    run.stood_still = now - run.renewed >= JobQueue::kLease;
-    if (run.stood_still) kill(run);
-    return;
-  }
-  if (usage) run.cpu_seconds = usage->cpu_seconds;
-  run.renewed = now;
+  const auto since = clock_.now() - run.renewed;
+  if (run.is_killed || (since >= since.zero() && since < queue_.heartbeat())) return;
+  run.renewed = clock_.now();
   if (!queue_.renew(run.claim)) kill(run);
+}
+
+/// Only a process that computes keeps its lease: one that was stopped or hangs is killed after as many still
+/// heartbeats as a lease has.
+void Service::feel_pulse(Run& run) {
+  const auto now = clock_.elapsed();
+  if (now - run.pulse_felt < queue_.heartbeat()) return;
+  run.pulse_felt = now;
+  const auto usage = executor_.usage(run.claim.handle);
+  if (!usage) return;
+  run.still_beats = usage->cpu_seconds == run.cpu_seconds ? run.still_beats + 1 : 0;
+  run.cpu_seconds = usage->cpu_seconds;
+  if (run.still_beats >= JobQueue::kHeartbeats) kill(run);
 }
 
 void Service::hold_to_limits(Run& run) {
@@ -132,7 +217,7 @@ void Service::hold_to_limits(Run& run) {
   if (usage && usage->memory_mb > limits_.memory_mb)
     run.beyond =
         "it took " + whole(usage->memory_mb) + " MB of memory; the limit is " + whole(limits_.memory_mb);
-  if (limits_.wall_time.count() > 0 && clock_.now() - run.started > limits_.wall_time)
+  if (limits_.wall_time.count() > 0 && clock_.elapsed() - run.started > limits_.wall_time)
     run.beyond = "it took longer than the limit of " + std::to_string(limits_.wall_time.count()) + " s";
   if (!run.beyond.empty()) kill(run);
 }
@@ -141,23 +226,22 @@ void Service::hold_to_limits(Run& run) {
 /// process's end looks like.
 Outcome Service::outcome_of_run(const Run& run) const {
   Outcome outcome = outcome_of(*run.end, data_.run(run.claim.case_id));
-  if (outcome.result || !run.is_killed) return outcome;
   using Kind = Outcome::Kind;
+  const bool has_error = run.end->how == RunEnd::How::exited && run.end->number == kExitError;
+  if (!outcome.result && has_error && !why_nothing_starts().empty())
+    return {Kind::interrupted, "the disk was full", {}};
+  if (outcome.result || !run.is_killed) return outcome;
   if (!run.beyond.empty()) return {Kind::failed, run.beyond, {}};
-  if (run.stood_still) return {Kind::crashed, "it stood still until its lease ran out, and was killed", {}};
+  if (run.still_beats >= JobQueue::kHeartbeats)
+    return {Kind::crashed, "it stood still until its lease ran out, and was killed", {}};
   return {Kind::interrupted, "it did not stop when it was asked to, and was killed", {}};
-}
-
-void Service::follow_history(Run& run) {
-  const std::size_t first = run.history.size();
-  store_history(database_, run.claim.case_id, first, run.history.read_new());
 }
 
 void Service::ask_to_stop(Run& run) {
   if (!run.stop_asked) {
-    run.stop_asked = clock_.now();
+    run.stop_asked = clock_.elapsed();
     executor_.cancel(run.claim.handle, Stop::checkpoint);
-  } else if (clock_.now() - *run.stop_asked > kGrace) {
+  } else if (clock_.elapsed() - *run.stop_asked > kGrace) {
     kill(run);
   }
 }

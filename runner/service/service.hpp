@@ -3,6 +3,7 @@
 //
 // Everything that it knows is in the database and the run directories; killed at any moment, its successor
 // goes on.
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -32,10 +33,13 @@ class Service {
 
   /// Takes over what an earlier daemon left: its runs are ended, recorded if they are complete, and queued if
   /// not.
-  Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores, Limits limits = {});
+  /// \param lease  how long a run may stand still
+  Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores, Limits limits = {},
+          std::chrono::milliseconds lease = JobQueue::kLease);
 
   // From any thread:
   Database reader() const;  ///< sees one moment, as long as it lives
+  /// Safe on the disk on return; those that wait for the disk at the same time are written together.
   /// \param key  of an Idempotency-Key, or ""; throws KeyReused if it came with another study before
   Submission submit(const Study& study, const std::string& key = "");
   // False if there is no such study.
@@ -43,6 +47,14 @@ class Service {
   bool set_priority(const std::string& study_id, int priority);
   bool pause(const std::string& study_id, bool is_paused);
   bool retry(const std::string& study_id);
+  /// At another fidelity, which may help diverged cases, too; the faults that this one would have. Of an
+  /// unknown study there is nothing to retry.
+  Issues retry_at(const std::string& study_id, const nlohmann::json& fidelity);
+
+  /// While less is free where the runs write, nothing is started.
+  void keep_free(std::uintmax_t bytes) { kept_free_ = bytes; }
+  /// For people; "" if nothing stands in the way of all cases.
+  std::string why_nothing_starts() const;
 
   const DataDirectory& data() const { return data_; }
   std::size_t cores() const { return cores_; }
@@ -55,6 +67,8 @@ class Service {
   void tick();
   /// From now on nothing is started, and what runs writes a checkpoint and ends.
   void drain();
+  /// No process is left. What came of them may still have to be recorded, if the disk was full.
+  bool has_ended() const;
   bool is_idle() const { return runs_.empty(); }
 
  private:
@@ -62,22 +76,34 @@ class Service {
     Claim claim;
     HistoryTail history;
     Time renewed;
-    Time started;
-    double cpu_seconds = 0;  ///< when the lease was renewed
-    std::optional<Time> stop_asked = {};
+    std::chrono::milliseconds started, pulse_felt;  ///< on the clock's elapsed()
+    double cpu_seconds = 0;                         ///< when its pulse was felt
+    int still_beats = 0;                            ///< heartbeats without computing
+    std::optional<std::chrono::milliseconds> stop_asked = {};
     std::optional<RunEnd> end = {};
     bool is_killed = false;
     std::string beyond = {};  ///< the limit that it went beyond
-    bool stood_still = false;
     bool is_recorded = false;
   };
 
+  /// A study whose client waits.
+  struct Waiting {
+    const Study& study;
+    const std::string& key;
+    Submission submission = {};
+    std::exception_ptr error = {};
+    bool is_answered = false;
+  };
+
+  void submit_all_waiting();
   bool write(const std::function<bool()>& change);
   void take_over();
   bool start_next();
+  void start(Claim& claim);
   void look_after(Run& run);
-  void follow_history(Run& run);
+  void write_down(Run& run);
   void keep_lease(Run& run);
+  void feel_pulse(Run& run);
   void hold_to_limits(Run& run);
   Outcome outcome_of_run(const Run& run) const;
   void ask_to_stop(Run& run);
@@ -90,8 +116,11 @@ class Service {
   const Clock& clock_;
   const std::size_t cores_;
   const Limits limits_;
+  std::uintmax_t kept_free_ = kLeastFree;
   std::function<void()> changed_ = [] {};
 
+  std::mutex joining_;  ///< guards waiting_; never held while waiting for the other one
+  std::vector<Waiting*> waiting_;
   std::mutex writing_;  ///< guards database_ and queue_
   Database database_;
   JobQueue queue_;

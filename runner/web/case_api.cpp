@@ -28,7 +28,7 @@ Response get_case(Service& service, const Request&, const std::string& id) {
 
 Response get_case_why(Service& service, const Request&, const std::string& id) {
   Database database = service.reader();
-  const auto reasons = why(database, id, service.cores());
+  const auto reasons = why(database, id, service.cores(), service.why_nothing_starts());
   return reasons ? json_response(200, *reasons) : no_such_case(id);
 }
 

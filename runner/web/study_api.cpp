@@ -89,7 +89,16 @@ Response resume_study(Service& service, const Request& request, const std::strin
   return service.pause(id, false) ? get_study(service, request, id) : no_such_study(id);
 }
 
+/// Without a body the failed cases as they stand, with {"fidelity": …} the failed and diverged ones at that.
 Response retry_study(Service& service, const Request& request, const std::string& id) {
+  if (!request.body.empty()) {
+    const ParsedJson parsed = parse_json(request.body);
+    const bool is_object = parsed.value && parsed.value->is_object() && parsed.value->contains("fidelity");
+    Issues issues = is_object ? service.retry_at(id, (*parsed.value)["fidelity"])
+                              : Issues{{"", "send nothing, or {\"fidelity\": …} as in a study's base"}};
+    if (!issues.empty()) return problem(422, "Invalid retry", "nothing was changed", issues);
+    return get_study(service, request, id);
+  }
   return service.retry(id) ? get_study(service, request, id) : no_such_study(id);
 }
 

@@ -61,9 +61,13 @@ PendingFile::~PendingFile() {
   fs::remove(temporary_, ignored);
 }
 
+void PendingFile::replace() {
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename to", target_);
+}
+
 void PendingFile::publish() {
   Descriptor(temporary_, O_RDONLY).sync();
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename to", target_);
+  replace();
   const fs::path directory = directory_of(target_);
   Descriptor(directory, O_RDONLY | O_DIRECTORY).sync();
 }
@@ -76,6 +80,12 @@ void write_durably(const fs::path& path, std::string_view bytes) {
     out.sync();  // a network file system tells of a full disk only the descriptor that wrote
   }
   file.publish();
+}
+
+void write_atomically(const fs::path& path, std::string_view bytes) {
+  PendingFile file(path);
+  Descriptor(file.temporary(), O_WRONLY | O_CREAT | O_TRUNC).write(bytes);
+  file.replace();
 }
 
 }  // namespace capstan

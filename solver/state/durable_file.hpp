@@ -24,6 +24,9 @@ class PendingFile {
   /// Throws std::filesystem::filesystem_error naming the operation and the file.
   void publish();
 
+  /// The same without waiting for the disk: whole or not at all after a kill, but not after a power failure.
+  void replace();
+
  private:
   std::filesystem::path target_;
   std::filesystem::path temporary_;
@@ -32,5 +35,8 @@ class PendingFile {
 /// Replaces `path` by a file holding `bytes`. Throws std::filesystem::filesystem_error; the old file then
 /// stands.
 void write_durably(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same without waiting for the disk, for what can be made again.
+void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace capstan

@@ -7,10 +7,14 @@ namespace capstan {
 class FakeClock : public Clock {
  public:
   Time now() const override { return now_; }
-  void advance(std::chrono::milliseconds duration) { now_ += duration; }
+  std::chrono::milliseconds elapsed() const override { return elapsed_; }
+  void advance(std::chrono::milliseconds duration) { jump(duration), elapsed_ += duration; }
+  /// Someone sets the clock, or the machine has slept.
+  void jump(std::chrono::milliseconds difference) { now_ += difference; }
 
  private:
   Time now_{std::chrono::hours(24 * 365 * 50)};
+  std::chrono::milliseconds elapsed_{0};
 };
 
 }  // namespace capstan

@@ -1,18 +1,24 @@
 // The program `capstan` with a solver that knows no physics: it obeys schema/run_directory.md, and what it
 // does is chosen by the viscosity ratio V of the case.
 //
+//   V = 40  computes without end, until there is a file `go` in its directory; then it completes
+//   V = 45  takes memory without end
+//   V = 46  writes a record of its history each 10 ms, without end
 //   V = 50  fails: exit code 3, result.json says why
 //   V = 60  dies by abort()
 //   V = 70  writes half of its history and waits for SIGTERM, then exits with 75; each time anew
 //   V = 80  the same, but once it has been interrupted, it completes
 //   V = 90  refuses the case: exit code 2
 //   other   tumbles below Ca = 0.5, tank-treads above
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "runner/cli/program.hpp"
 #include "runner/execute/exit_code.hpp"
@@ -56,6 +62,20 @@ int wait_for_interruption(const std::filesystem::path& out, double until) {
   return kExitInterrupted;
 }
 
+void compute_until(const std::filesystem::path& file) {
+  while (!std::filesystem::exists(file)) {
+  }
+}
+
+[[noreturn]] void write_without_end(const std::filesystem::path& out) {
+  for (std::ofstream history(out / "history.jsonl", std::ios::trunc);; usleep(10000))
+    history << R"({"kt":0.1,"D_xy":0.5,"theta":-0.1,"psi":0.01,"volume":4.18,"area":17.2})" << std::endl;
+}
+
+[[noreturn]] void take_memory_without_end() {
+  for (std::vector<std::string> taken;;) taken.emplace_back(1 << 20, 'x'), usleep(1000);
+}
+
 int complete(const std::filesystem::path& out, double until, double Ca) {
   write_history(out, until, kRecords);
   write_result(out, {{"format", 1},
@@ -71,6 +91,9 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
   const ordered_json input = ordered_json::parse(std::ifstream(case_file));
   const double V = input["V"];
   const double until = input["until"]["kt"];
+  if (V == 40) compute_until(out / "go");
+  if (V == 46) write_without_end(out);
+  if (V == 45) take_memory_without_end();
   if (V == 50) {
     write_result(out,
                  {{"stop", "diverged"}, {"message", "the membrane tore at kt = 0.3"}, {"motion", nullptr}});

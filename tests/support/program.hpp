@@ -2,7 +2,9 @@
 // The real program (with the fake solver) as a process: one command, or a daemon that can be killed.
 #include <sys/types.h>
 
+#include <chrono>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,12 +19,21 @@ struct CommandResult {
 /// Runs `capstan ARGUMENTS` in a shell, until it ends.
 CommandResult run_capstan(const std::string& arguments);
 
+/// The daemon ended before it said where it serves; `exit_code` as of Daemon::end_with.
+struct DaemonDied : std::runtime_error {
+  DaemonDied(const std::string& said, int code)
+      : std::runtime_error("the daemon said: " + said), exit_code(code) {}
+  int exit_code;
+};
+
 /// `capstan serve` on a free port of its own.
 class Daemon {
  public:
-  /// Returns when it answers. \param more  further arguments of `capstan serve`
+  /// Returns when it answers; throws DaemonDied if it does not come to that.
+  /// \param more     further arguments of `capstan serve`; three cores and a free port unless they say otherwise
+  /// \param fail_at  a fail point, "NAME:N" (runner/queue/fail_point.hpp)
   explicit Daemon(const std::filesystem::path& data, const std::vector<std::string>& more = {},
-                  const std::string& listen = "127.0.0.1:0");
+                  const std::string& fail_at = "");
   ~Daemon();
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;
@@ -33,7 +44,12 @@ class Daemon {
   /// Sends the signal and waits for the end: the exit code, or minus the signal that killed it.
   int end_with(int signal);
 
+  /// False if it is still there after that time.
+  bool ends_within(std::chrono::milliseconds time);
+
  private:
+  int wait();
+
   pid_t pid_ = 0;
   std::string url_;
 };

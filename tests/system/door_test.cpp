@@ -42,7 +42,7 @@ TEST_F(DoorTest, AddressThatOthersCanReachNeedsAToken) {
     EXPECT_THAT(refused.errors, HasSubstr("CAPSTAN_TOKEN"));
   }
   const TokenInEnvironment token;
-  const Daemon daemon(data_.path(), {}, "0.0.0.0:0");
+  const Daemon daemon(data_.path(), {"--listen", "0.0.0.0:0"});
   EXPECT_EQ(status_of(ask(daemon, request_text("GET", "/healthz"))), 401);
 }
 

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "solver/case/content_id.hpp"
 #include "tests/support/file_bytes.hpp"
+#include "tests/support/small_disk.hpp"
 #include "tests/support/solve_process.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -112,6 +114,55 @@ TEST_F(SolveTest, DivergingCaseExitsWithThreeAndItsResultSaysWhatAndWhen) {
   EXPECT_EQ(result("diverging")["stop"], "diverged");
   EXPECT_THAT(result("diverging")["message"].get<std::string>(), HasSubstr("at kt = "));
   EXPECT_FALSE(history("diverging").empty());
+}
+
+/// A cell by boundary integrals with a checkpoint each other step, some tenths of a second.
+const char* const kQuick =
+    R"({"shape": "biconcave", "law": "skalak", "C": 5, "fluid": "stokes", "Ca": 0.2, "V": 2,
+  "fidelity": {"nodes": 162}, "until": {"kt": 6}, "outputs": {"history_every": 0.1, "checkpoint_every": 1}})";
+
+class SolveOnASmallDisk : public SolveTest {
+ protected:
+  SmallDisk disk_{"1m"};
+};
+
+TEST_F(SolveOnASmallDisk, FullOneEndsTheRunAndItGoesOnWhenThereIsRoom) {
+  if (!disk_.is_mounted()) GTEST_SKIP() << "this user may not mount a tmpfs";
+  const fs::path case_file = write_case(kQuick);
+  ASSERT_EQ(solve(case_file, "undisturbed"), 0);
+  fs::create_directory_symlink(disk_.path(), directory("small"));
+  {
+    SolveProcess process(case_file, directory("small"));
+    process.wait_for_writes(60);
+    disk_.fill();
+    EXPECT_EQ(process.wait(), 1);
+  }
+  EXPECT_THAT(log("small"), HasSubstr("capstan solve: "));
+  EXPECT_FALSE(fs::exists(directory("small") / "result.json"));
+  disk_.clear();
+  EXPECT_EQ(solve(case_file, "small"), 0);
+  EXPECT_THAT(log("small"), HasSubstr("resumed at step"));
+  expect_same_answer("small", "undisturbed");
+}
+
+/// tests/reference/run_directory_1 is what a process of format 1 and numerics version 1 left.
+class OldRunDirectory : public SolveTest {
+ protected:
+  const fs::path kept_ = CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1";
+};
+
+TEST_F(OldRunDirectory, UnfinishedOneIsResumed) {
+  fs::copy(kept_, directory("old"));
+  fs::remove(directory("old") / "result.json");
+  ASSERT_EQ(solve(kept_ / "case.json", "old"), 0);
+  const nlohmann::json before = nlohmann::json::parse(file_bytes(kept_ / "result.json"));
+  if (kNumericsVersion == 1) {
+    EXPECT_THAT(log("old"), HasSubstr("resumed at step"));
+    EXPECT_NEAR(result("old")["final"]["D_xy"], before["final"]["D_xy"], 1e-6);
+  } else {  // and is computed anew: its answer is another one
+    EXPECT_THAT(log("old"), testing::ContainsRegex("is of numerics version 1|belongs to case 8fa8431217afd399"));
+    EXPECT_EQ(result("old")["stop"], "reached_end");
+  }
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <random>
 
+#include "runner/queue/replacement.hpp"
 #include "runner/queue/schema.hpp"
 #include "runner/results/result.hpp"
 #include "tests/support/fake_clock.hpp"
@@ -82,6 +84,28 @@ TEST_F(JobQueueTest, CasesAreClaimedInTheOrderOfSubmission) {
   EXPECT_NE(first->token, second->token);
 }
 
+/// The writer's last transaction shows how it was committed; 2 is FULL.
+TEST_F(JobQueueTest, PromisesWaitForTheDiskAndLeasesDoNot) {
+  const auto is_synced = [&] {
+    Statement row = database_.query("PRAGMA synchronous");
+    return row.step() && row.integer(0) == 2;
+  };
+  const std::string id = queue_.submit(two_cases_).study_id;
+  EXPECT_TRUE(is_synced());
+  const auto claim = queue_.claim();
+  EXPECT_FALSE(is_synced());
+  queue_.finish(*claim, Ending::done, "");
+  EXPECT_TRUE(is_synced());
+  for (const auto& change : std::vector<std::function<void()>>{
+           [&] { queue_.cancel(id); }, [&] { queue_.pause(id, true); }, [&] { queue_.retry(id); },
+           [&] { queue_.set_priority(id, 3); }, [&] { queue_.submit(two_cases_); }}) {
+    queue_.renew(*claim);
+    EXPECT_FALSE(is_synced());
+    change();
+    EXPECT_TRUE(is_synced());
+  }
+}
+
 TEST_F(JobQueueTest, FinishedCaseIsNeverClaimedAgain) {
   queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
   const auto claim = queue_.claim();
@@ -96,7 +120,7 @@ TEST_F(JobQueueTest, RenewedLeaseDoesNotExpire) {
   queue_.submit(two_cases_);
   const auto claim = queue_.claim();
   for (int beat = 0; beat < 20; ++beat) {
-    clock_.advance(JobQueue::kHeartbeat);
+    clock_.advance(queue_.heartbeat());
     EXPECT_TRUE(queue_.renew(*claim));
     EXPECT_EQ(queue_.give_back_expired(), 0);
   }
@@ -209,6 +233,33 @@ TEST_F(JobQueueTest, CrashedCaseIsNotTriedAgainAtOnceAndHoldsNobodyUp) {
   EXPECT_EQ(queue_.claim()->case_id, crashed->case_id);
 }
 
+TEST_F(JobQueueTest, BackOffEndsThoughTheClockWasSetBack) {
+  queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
+  queue_.crashed(*queue_.claim(), "killed by signal 9");
+  EXPECT_FALSE(queue_.claim());
+  clock_.jump(-24h);
+  EXPECT_TRUE(queue_.claim());
+}
+
+TEST_F(JobQueueTest, RunThatCouldNotBeStartedIsNoAttemptAndWaits) {
+  queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
+  const auto claim = queue_.claim();
+  EXPECT_TRUE(queue_.put_back(*claim, "no memory"));
+  EXPECT_FALSE(queue_.put_back(*claim, "no memory"));
+  EXPECT_EQ(count("attempts"), 0);
+  EXPECT_FALSE(queue_.claim());
+  clock_.advance(JobQueue::kBackOff);
+  EXPECT_EQ(queue_.claim()->attempt, 1);
+}
+
+TEST_F(JobQueueTest, KnownStudyKeepsItsCasesThoughThisProgramWouldNameThemOtherwise) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  Study other = two_cases_;
+  for (Case& c : other.cases) c.V = 7;  // as if the canonical form had changed since
+  EXPECT_EQ(queue_.submit(other).study_id, id);
+  EXPECT_EQ(count("cases"), 2);
+}
+
 TEST_F(JobQueueTest, StudiesOfOnePriorityTakeTurns) {
   queue_.submit(sample_study("first", {{"Ca", {0.1, 0.2, 0.3}}}));
   queue_.submit(sample_study("second", {{"Ca", {0.4, 0.5}}}));
@@ -246,6 +297,17 @@ TEST_F(JobQueueTest, RetryQueuesTheFailedCasesAlone) {
   EXPECT_FALSE(queue_.retry("nobody-0000"));
 }
 
+TEST_F(JobQueueTest, RetryOfACancelledStudyQueuesNothing) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  const auto failed = queue_.claim();
+  queue_.finish(*failed, Ending::failed, "no memory");
+  queue_.cancel(id);
+  EXPECT_TRUE(queue_.retry(id));
+  EXPECT_EQ(state_of(failed->case_id), "failed");
+  EXPECT_TRUE(replace_failed(database_, id, "fine").empty());
+  EXPECT_EQ(count("cases"), 2);
+}
+
 TEST_F(JobQueueTest, KeyStandsForOneStudy) {
   const std::string id = queue_.submit(two_cases_, "key").study_id;
   EXPECT_EQ(queue_.submit(two_cases_, "key").study_id, id);
@@ -276,13 +338,15 @@ TEST_F(JobQueueTest, KeptSumsAreThoseOfACountAfterAnyHistory) {
     studies.push_back(sample_study("s", {{"Ca", {first, first + 0.1, first + 0.2}}}));
   for (int step = 0; step < 400; ++step) {
     const Study& study = studies[random() % studies.size()];
-    const unsigned choice = random() % 8;
+    const auto choice = random() % 9;
     if (choice == 0) queue_.submit(study);
     if (choice == 1) queue_.cancel(queue_.submit(study).study_id);
     if (choice == 2) queue_.retry(queue_.submit(study).study_id);
     if (choice == 3 || choice == 4)
       if (const auto claim = queue_.claim()) running.push_back(*claim);
-    if (choice > 4 && !running.empty()) {
+    if (choice == 8)
+      replace_failed(database_, queue_.submit(study).study_id, {{"kdt", 0.001 + 0.0001 * step}});
+    if (choice > 4 && choice < 8 && !running.empty()) {
       const Claim claim = running.back();
       running.pop_back();
       if (choice == 5) queue_.finish(claim, random() % 2 ? Ending::failed : Ending::done, "");

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "runner/results/history.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace capstan {
@@ -72,6 +73,21 @@ TEST_F(OutcomeTest, ResultThatCannotBeReadIsNone) {
     write("result.json", text);
     EXPECT_EQ(exited_with(0).kind, Kind::crashed) << text;
   }
+}
+
+TEST_F(OutcomeTest, ResultOfALaterFormatIsNotGuessedAt) {
+  write("result.json", R"({"format": 2, "stop": "reached_end"})");
+  EXPECT_EQ(exited_with(0).kind, Kind::failed);
+  EXPECT_EQ(exited_with(0).message, "result.json has format 2, this program reads format 1");
+}
+
+/// tests/reference/run_directory_1 is what a process of format 1 left.
+TEST(OldRunDirectory, CompleteOneIsRecorded) {
+  const Outcome outcome = outcome_of({}, RunDirectory(CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1"));
+  EXPECT_EQ(outcome.kind, Kind::done);
+  EXPECT_EQ((*outcome.result)["motion"], "undecided");
+  HistoryTail history(CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1/history.jsonl");
+  EXPECT_EQ(history.read_new().size(), 11u);
 }
 
 TEST_F(OutcomeTest, LongLogIsCutToItsLastLines) {

@@ -2,8 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <fstream>
+#include <thread>
 
+#include "runner/queue/schema.hpp"
 #include "tests/support/service_fixture.hpp"
 
 namespace capstan {
@@ -16,6 +19,8 @@ using namespace std::chrono_literals;
 
 class ServiceTest : public ServiceFixture {
  protected:
+  static constexpr auto kHeartbeat = JobQueue::kLease / JobQueue::kHeartbeats;
+
   std::string submit(const nlohmann::json& axes) {
     const std::string id = service_->submit(sample_study("study", axes)).study_id;
     service_->tick();
@@ -160,7 +165,10 @@ TEST_F(ServiceTest, SuccessorRecordsARunThatCompletedMeanwhile) {
 
 TEST_F(ServiceTest, SleepOfTheMachineCostsNoRun) {
   const std::string id = submit({{"Ca", {0.25}}});
-  clock_.advance(12h);
+  executor_.is_stopped = true;  // and has not come to compute again yet
+  clock_.jump(12h);
+  service_->tick();
+  clock_.advance(kHeartbeat);
   service_->tick();
   EXPECT_EQ(cases(id)[0]["attempt"], 1);
   EXPECT_THAT(executor_.running, ElementsAre("run 1"));
@@ -170,7 +178,7 @@ TEST_F(ServiceTest, RunThatStandsStillLosesItsLeaseAndIsKilled) {
   const std::string id = submit({{"Ca", {0.25}}});
   executor_.is_stopped = true;
   for (int beat = 0; beat < 6; ++beat) {
-    clock_.advance(JobQueue::kHeartbeat);
+    clock_.advance(kHeartbeat);
     service_->tick();
   }
   EXPECT_THAT(executor_.killed, ElementsAre("run 1"));
@@ -199,12 +207,14 @@ TEST_F(ServiceTest, CaseThatTakesTooLongFails) {
   EXPECT_EQ(cases(id)[0]["crashes"], 0);
 }
 
-TEST_F(ServiceTest, ClockThatJumpsBackCostsNoRun) {
+TEST_F(ServiceTest, ClockThatJumpsCostsNoRun) {
   const std::string id = submit({{"Ca", {0.25}}});
-  clock_.advance(-12h);
-  service_->tick();
-  clock_.advance(12h + JobQueue::kHeartbeat);
-  service_->tick();
+  for (auto jump : {-12h, 24h, -12h}) {
+    clock_.jump(jump);
+    service_->tick();
+    clock_.advance(kHeartbeat);
+    service_->tick();
+  }
   EXPECT_EQ(cases(id)[0]["attempt"], 1);
   EXPECT_THAT(executor_.running, ElementsAre("run 1"));
 }
@@ -215,9 +225,184 @@ TEST_F(ServiceTest, CaseThatCannotBeStartedStaysInTheQueue) {
   EXPECT_THROW(service_->tick(), std::runtime_error);
   EXPECT_EQ(cases(id)[0]["state"], "queued");
   EXPECT_EQ(cases(id)[0]["message"], "could not be started: no process to be had");
+  EXPECT_EQ(cases(id)[0]["attempt"], 0);
   executor_.is_broken = false;
+  clock_.advance(JobQueue::kBackOff);
   service_->tick();
   EXPECT_EQ(cases(id)[0]["state"], "running");
+}
+
+TEST_F(ServiceTest, ClockThatJumpsIsNoTimeThatARunTook) {
+  limits_.wall_time = 1h;
+  restart();
+  const std::string id = submit({{"Ca", {0.25}}});
+  clock_.jump(24h);
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "running");
+}
+
+TEST_F(ServiceTest, CaseThatCannotBeStartedHoldsNobodyUp) {
+  executor_.is_broken = true;
+  const std::string id = service_->submit(sample_study("study", {{"Ca", {0.25, 0.5}}})).study_id;
+  EXPECT_THROW(service_->tick(), std::runtime_error);
+  executor_.is_broken = false;
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "queued");
+  EXPECT_EQ(cases(id)[1]["state"], "running");
+}
+
+TEST_F(ServiceTest, RunThatIgnoresTheEndOfTheDaemonIsKilledInTime) {
+  static_assert(Service::kGrace + 1s <= 10s);
+  submit({{"Ca", {0.25}}});
+  service_->drain();
+  service_->tick();
+  EXPECT_THAT(executor_.killed, IsEmpty());
+  EXPECT_FALSE(service_->has_ended());
+  clock_.advance(Service::kGrace + 1ms);
+  service_->tick();
+  EXPECT_THAT(executor_.killed, ElementsAre("run 1"));
+  EXPECT_TRUE(service_->has_ended() && service_->is_idle());
+}
+
+TEST_F(ServiceTest, CompleteDirectoryOfAQueuedCaseIsRecordedNotComputedAgain) {
+  const std::string id = service_->submit(sample_study("study", {{"Ca", {0.25}}})).study_id;
+  const RunDirectory directory = data_.run(cases(id)[0]["id"]);
+  directory.prepare("{}");
+  std::ofstream(directory.result_file()) << R"({"stop": "reached_end", "motion": "tumbling"})";
+  service_->tick();
+  EXPECT_THAT(executor_.running, IsEmpty());
+  EXPECT_EQ(cases(id)[0]["state"], "done");
+  EXPECT_EQ(cases(id)[0]["motion"], "tumbling");
+}
+
+TEST_F(ServiceTest, StartSweepsOrphansThatHoldNothingAndKeepsTheOthers) {
+  const RunDirectory empty = data_.run("00000000deadbeef"), worth = data_.run("00000000cafecafe");
+  for (const RunDirectory& orphan : {empty, worth}) orphan.prepare("{}");
+  std::ofstream(worth.path() / "checkpoint-a.h5") << "hours of work";
+  std::filesystem::create_directories(data_.path() / "runs" / "my notes");
+  restart();
+  EXPECT_FALSE(std::filesystem::exists(empty.path()));
+  EXPECT_TRUE(std::filesystem::exists(worth.path()));
+  EXPECT_TRUE(std::filesystem::exists(data_.path() / "runs" / "my notes"));
+}
+
+TEST_F(ServiceTest, StartSweepsWhatAKilledRunLeftHalfWritten) {
+  submit({{"Ca", {0.25}}});
+  const std::filesystem::path half = directory_of("run 1").path() / "checkpoint-a.h5.partial";
+  std::ofstream(half) << "half of i";
+  restart();
+  EXPECT_FALSE(std::filesystem::exists(half));
+}
+
+TEST_F(ServiceTest, DamagedCaseFileIsWrittenAgain) {
+  const std::string id = service_->submit(sample_study("study", {{"Ca", {0.25}}})).study_id;
+  const RunDirectory directory = data_.run(cases(id)[0]["id"]);
+  directory.prepare("half of");
+  service_->tick();
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(directory.case_file())),
+            nlohmann::json(cases(id)[0]["parameters"]));
+}
+
+TEST_F(ServiceTest, StudiesSubmittedAtOnceAreAllKept) {
+  std::vector<std::thread> clients;
+  for (int client = 0; client < 8; ++client)
+    clients.emplace_back([this, client] {
+      for (int i = 0; i < 20; ++i)
+        service_->submit(sample_study("study", {{"Ca", {0.1 + client, 0.101 + 0.001 * i}}}));
+    });
+  for (std::thread& client : clients) client.join();
+  Database reader = service_->reader();
+  EXPECT_EQ(list_studies(reader, {}).items.size(), 160u);
+}
+
+TEST_F(ServiceTest, ReusedKeyIsRefusedAndConcernsNobodyElse) {
+  std::vector<std::thread> clients;
+  std::atomic<int> refused = 0;
+  for (int client = 0; client < 8; ++client)
+    clients.emplace_back([this, client, &refused] {
+      try {
+        service_->submit(sample_study("study", {{"Ca", {0.1 + client}}}), client < 4 ? "key" : "");
+      } catch (const KeyReused&) {
+        ++refused;
+      }
+    });
+  for (std::thread& client : clients) client.join();
+  EXPECT_EQ(refused, 3);
+  Database reader = service_->reader();
+  EXPECT_EQ(list_studies(reader, {}).items.size(), 5u);
+}
+
+TEST_F(ServiceTest, FailedAndDivergedCasesAreReplacedByFinerOnes) {
+  const std::string id = submit({{"Ca", {0.25, 0.5, 0.75}}});
+  const std::string diverged = cases(id)[0]["id"], failed = cases(id)[1]["id"];
+  executor_.exit("run 1", 3);
+  executor_.exit("run 2", 2);
+  service_->tick();
+  EXPECT_THAT(service_->retry_at(id, "fine"), IsEmpty());
+  EXPECT_EQ(study(id)["cases"]["queued"], 2);
+  EXPECT_EQ(study(id)["cases"]["diverged"], 0);
+  EXPECT_EQ(study(id)["cases"]["failed"], 0);
+  EXPECT_EQ(cases(id)[0]["replaces"], diverged);
+  EXPECT_EQ(cases(id)[1]["replaces"], failed);
+  EXPECT_FALSE(cases(id)[2].contains("replaces"));
+  EXPECT_EQ(cases(id)[0]["parameters"]["Ca"], 0.25);
+  EXPECT_NE(cases(id)[0]["parameters"]["fidelity"], cases(id)[2]["parameters"]["fidelity"]);
+}
+
+TEST_F(ServiceTest, RetryAtAnInvalidFidelityChangesNothingAndSaysAllFaults) {
+  const std::string id = submit({{"Ca", {0.25, 0.5}}});
+  executor_.exit("run 1", 3);
+  service_->tick();
+  const Issues issues = service_->retry_at(id, {{"nodes", 7}, {"colour", "red"}});
+  EXPECT_THAT(issues, SizeIs(2));
+  EXPECT_EQ(cases(id)[0]["state"], "diverged");
+}
+
+/// As a database looks in which an earlier program has queued a case.
+TEST_F(ServiceTest, QueuedCaseOfAnEarlierNumericsVersionIsReplacedAtTheStart) {
+  const std::string id = service_->submit(sample_study("study", {{"Ca", {0.25}}})).study_id;
+  const std::string present = cases(id)[0]["id"], earlier = "00000000deadbeef";
+  Database database(data_.database(), Database::Access::write);
+  database.execute_script("PRAGMA foreign_keys = OFF");
+  database.execute("UPDATE cases SET id = ?, numerics = 0", earlier);
+  database.execute("UPDATE study_cases SET case_id = ?", earlier);
+  database.execute_script(kRecount);
+  restart();
+  EXPECT_EQ(cases(id)[0]["id"], present);
+  EXPECT_EQ(cases(id)[0]["replaces"], earlier);
+  EXPECT_EQ(study(id)["cases"]["queued"], 1);
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "running");
+  Database reader = service_->reader();
+  EXPECT_EQ(find_case(reader, earlier).value()["state"], "cancelled");
+}
+
+TEST_F(ServiceTest, NothingIsStartedOnAFullDiskAndWhySaysSo) {
+  const std::string id = service_->submit(sample_study("study", {{"Ca", {0.25}}})).study_id;
+  service_->keep_free(std::filesystem::space(data_.runs()).capacity);
+  service_->tick();
+  EXPECT_THAT(executor_.running, IsEmpty());
+  EXPECT_THAT(service_->why_nothing_starts(), testing::HasSubstr("are free in"));
+  service_->keep_free(0);
+  service_->tick();
+  EXPECT_THAT(executor_.running, SizeIs(1));
+  EXPECT_EQ(service_->why_nothing_starts(), "");
+}
+
+TEST_F(ServiceTest, ErrorOnAFullDiskIsNoCrash) {
+  const std::string id = submit({{"Ca", {0.25}}});
+  service_->keep_free(std::filesystem::space(data_.runs()).capacity);
+  executor_.exit("run 1", 1);
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "queued");
+  EXPECT_EQ(cases(id)[0]["crashes"], 0);
+  EXPECT_EQ(cases(id)[0]["message"], "the disk was full");
+}
+
+TEST(NetworkFileSystem, IsKnownByItsNumber) {
+  EXPECT_EQ(network_file_system(0x6969), "NFS");
+  EXPECT_EQ(network_file_system(static_cast<int>(0xFF534D42)), "CIFS");
+  EXPECT_EQ(network_file_system(0xEF53), "");  // ext4
 }
 
 TEST_F(ServiceTest, SecondDaemonOnOneDirectoryIsRefused) {

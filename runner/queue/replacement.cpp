@@ -1,0 +1,93 @@
+#include "runner/queue/replacement.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "solver/case/content_id.hpp"
+
+namespace capstan {
+namespace {
+
+struct Stored {
+  std::string id;
+  nlohmann::json document;
+};
+
+std::vector<Stored> read_cases(Statement row) {
+  std::vector<Stored> cases;
+  while (row.step()) cases.push_back({row.text(0), nlohmann::json::parse(row.text(1))});
+  return cases;
+}
+
+/// The positions at which the case stands, in the study, or in all if it is "".
+std::vector<std::pair<std::string, std::int64_t>> places_of(Database& database, const std::string& case_id,
+                                                            const std::string& study_id) {
+  std::vector<std::pair<std::string, std::int64_t>> places;
+  Statement row = database.query(
+      "SELECT study_id, position FROM study_cases WHERE case_id = ?1 AND (study_id = ?2 OR ?2 = '')", case_id,
+      study_id);
+  while (row.step()) places.emplace_back(row.text(0), row.integer(1));
+  return places;
+}
+
+void replace(Database& database, const std::string& old_id, const Case& by,
+             const std::string& study_id = "") {
+  const std::string id = add_case(database, by);
+  if (id == old_id) return;
+  for (const auto& [study, position] : places_of(database, old_id, study_id)) {
+    database.execute("DELETE FROM study_cases WHERE study_id = ? AND position = ?", study, position);
+    database.execute("INSERT INTO study_cases VALUES (?, ?, ?, ?)", study, position, id, old_id);
+  }
+}
+
+std::string text_of(const Issues& issues) {
+  std::string text;
+  for (const Issue& issue : issues) text += "\n" + issue.pointer + ": " + issue.message;
+  return text;
+}
+
+}  // namespace
+
+std::string add_case(Database& database, const Case& c) {
+  const std::string id = case_id(c);
+  database.execute("INSERT INTO cases (id, document, numerics) VALUES (?, ?, ?) ON CONFLICT (id) DO NOTHING",
+                   id, to_json(c).dump(), kNumericsVersion);
+  database.execute("UPDATE cases SET state = 'queued', message = '' WHERE id = ? AND state = 'cancelled'",
+                   id);
+  return id;
+}
+
+Issues replace_failed(Database& database, const std::string& study_id, const nlohmann::json& fidelity) {
+  Transaction transaction(database);
+  Issues issues;
+  for (auto& [id, document] : read_cases(
+           database.query("SELECT c.id, c.document FROM study_cases JOIN cases c ON c.id = case_id JOIN "
+                          "studies s ON s.id = study_id"
+                          " WHERE s.id = ? AND cancelled_at IS NULL AND state IN ('failed', 'diverged')",
+                          study_id))) {
+    document["fidelity"] = fidelity;
+    const ParsedCase parsed = parse_case(document);
+    if (parsed.value) replace(database, id, *parsed.value, study_id);
+    for (const Issue& issue : parsed.issues)
+      if (std::find(issues.begin(), issues.end(), issue) == issues.end()) issues.push_back(issue);
+  }
+  if (issues.empty()) transaction.commit();
+  return issues;
+}
+
+void replace_outdated(Database& database) {
+  Transaction transaction(database);
+  for (const auto& [id, document] : read_cases(database.query(
+           "SELECT id, document FROM cases WHERE state = 'queued' AND numerics <> ?", kNumericsVersion))) {
+    const ParsedCase parsed = parse_case(document);
+    if (parsed.value) replace(database, id, *parsed.value);
+    database.execute(
+        "UPDATE cases SET state = ?, message = ? WHERE id = ?", parsed.value ? "cancelled" : "failed",
+        parsed.value ? "a later numerics version computes case " + case_id(*parsed.value) + " instead"
+                     : "this version refuses the case" + text_of(parsed.issues),
+        id);
+  }
+  transaction.commit();
+}
+
+}  // namespace capstan

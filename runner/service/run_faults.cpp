@@ -1,0 +1,67 @@
+#include "runner/service/run_faults.hpp"
+
+#include "runner/service/orphans.hpp"
+#include "solver/state/durable_file.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The database is what answers: a result file that is lost or damaged is written again.
+void compare_results(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
+  Statement row = database.query("SELECT case_id, document FROM results");
+  while (row.step()) {
+    const RunDirectory directory(runs / row.text(0));
+    const std::string document = row.text(1);
+    const auto there = directory.result();
+    if (there && *there == ordered_json::parse(document)) continue;
+    tell(directory.result_file().string() + (there ? " is not what was recorded" : " is missing or damaged"),
+         [&] {
+           std::filesystem::create_directories(directory.path());
+           write_durably(directory.result_file(), ordered_json::parse(document).dump(2) + "\n");
+         });
+  }
+}
+
+void find_missing_results(Database& database, const RunFault& tell) {
+  Statement row = database.query(
+      "SELECT id FROM cases LEFT JOIN results ON case_id = id WHERE state = 'done' AND case_id IS NULL");
+  while (row.step())
+    tell("case " + row.text(0) + " is done, but has no result", [&, id = row.text(0)] {
+      Transaction transaction(database);
+      database.execute("UPDATE cases SET state = 'queued', message = 'its result was lost' WHERE id = ?", id);
+      transaction.commit();
+    });
+}
+
+void find_orphans(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
+  for (const RunDirectory& orphan : orphans_in(runs, database)) {
+    const std::string what = orphan.path().string() + " belongs to no case";
+    if (orphan.is_worthless())
+      tell(what + " and holds nothing", [&] { std::filesystem::remove_all(orphan.path()); });
+    else
+      tell(what + ": submit its study again, or delete it", {});
+  }
+}
+
+void find_partial_files(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
+  Statement row = database.query("SELECT id FROM cases WHERE state <> 'running'");
+  while (row.step()) {
+    const RunDirectory directory(runs / row.text(0));
+    if (directory.has_partial_files())
+      tell(directory.path().string() + " holds half-written files",
+           [&] { directory.remove_partial_files(); });
+  }
+}
+
+}  // namespace
+
+void find_run_faults(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
+  compare_results(runs, database, tell);
+  find_missing_results(database, tell);
+  find_orphans(runs, database, tell);
+  find_partial_files(runs, database, tell);
+}
+
+}  // namespace capstan

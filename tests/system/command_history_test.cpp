@@ -1,0 +1,179 @@
+// Random histories of commands against a model, with a daemon that is killed at fail points and at any
+// moment. What was answered must hold in every later life; what was in doubt is asked again, as a client
+// would.
+//
+//   CAPSTAN_SEED=7 CAPSTAN_LIVES=500 build/test/tests/program_test --gtest_filter=CommandHistory.*
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <set>
+
+#include "tests/support/campaign.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/sample_studies.hpp"
+#include "tests/support/served_study.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+int number_from(const char* variable, int otherwise) {
+  const char* text = std::getenv(variable);
+  return text ? std::atoi(text) : otherwise;
+}
+
+/// The studies share cases; of the fake solver's kinds (tests/support/fake_solver.cpp) those that end by
+/// themselves.
+const std::vector<json> kAxes = {
+    {{"Ca", {0.1, 0.2}}, {"V", {2, 4}}},  {{"Ca", {0.2, 0.3}}, {"V", {4, 50}}},
+    {{"Ca", {0.1, 0.3}}, {"V", {4, 90}}}, {{"Ca", {0.4}}, {"V", {2, 60}}},
+    {{"Ca", {0.1, 0.4}}, {"V", {2, 5}}},
+};
+
+std::string state_that_ends(double V) {
+  return V == 50 ? "diverged" : V == 60 || V == 90 ? "failed" : "done";
+}
+
+/// What the server must say of a study once it has answered.
+struct Known {
+  std::string id;
+  bool is_paused = false, is_cancelled = false;
+  int priority = 0;
+};
+
+class History {
+ public:
+  explicit History(unsigned seed) : random_(seed) {}
+
+  void live() {
+    const std::string point =
+        kFailPoints[random_() % kFailPoints.size()] + std::string(":") + std::to_string(1 + random_() % 3);
+    said_ += "\n-- a life until " + point;
+    try {
+      Daemon daemon(data_.path(), {}, point);
+      Client client(daemon.url());
+      do_pending(client);
+      check_known(client);
+      for (int command = 0; command < 4; ++command) {
+        choose_command();
+        do_pending(client);
+      }
+      daemon.ends_within(std::chrono::milliseconds(random_() % 60));
+    } catch (const Unreachable&) {  // it died; the pending command is in doubt
+      ++deaths_at_work_;
+    } catch (const DaemonDied& death) {
+      EXPECT_EQ(death.exit_code, -SIGKILL) << death.what();
+      ++deaths_at_work_;
+    }
+    EXPECT_EQ(broken_promise(data_.path()), "") << said_;
+  }
+
+  /// Lives that ended at a fail point while a client or the start waited for something.
+  int deaths_at_work() const { return deaths_at_work_; }
+
+  void end() {
+    const Daemon daemon(data_.path());
+    Client client(daemon.url());
+    do_pending(client);
+    check_known(client);
+    for (auto& [study, known] : known_) client.post("/v1/studies/" + known.id + "/resume", "");
+    for (const auto& [study, known] : known_)
+      wait_for(client, "/v1/studies/" + known.id, [](const ordered_json& now) {
+        return now["cases"]["queued"] == 0 && now["cases"]["running"] == 0;
+      });
+    check_ends(client);
+    EXPECT_EQ(broken_promise(data_.path()), "") << said_;
+  }
+
+ private:
+  struct Command {
+    std::size_t study = 0;
+    std::string change;  ///< "" is a submission
+    int priority = 0;
+  };
+
+  void choose_command() {
+    const std::size_t study = random_() % kAxes.size();
+    const bool is_known = known_.contains(study);
+    const std::vector<std::string> changes = {"", "cancel", "pause", "resume", "retry", "priority"};
+    pending_ = Command{study, is_known ? changes[random_() % changes.size()] : "",
+                       static_cast<int>(random_() % 9) - 4};
+    said_ += "\n" + (pending_->change.empty() ? "submit" : pending_->change) + " " + std::to_string(study);
+  }
+
+  /// Asks, and believes only an answer.
+  void do_pending(Client& client) {
+    if (!pending_) return;
+    const Command& command = *pending_;
+    Known& known = known_[command.study];
+    if (command.change.empty()) {
+      const ordered_json answer = client.post(
+          "/v1/studies", study_document("s" + std::to_string(command.study), kAxes[command.study]).dump());
+      known.id = answer["id"];
+      known.is_cancelled = false;
+    } else {
+      client.post("/v1/studies/" + known.id + "/" + command.change,
+                  command.change == "priority" ? json{{"priority", command.priority}}.dump() : "");
+    }
+    if (command.change == "cancel") known.is_cancelled = true;
+    if (command.change == "pause" || command.change == "resume") known.is_paused = command.change == "pause";
+    if (command.change == "priority") known.priority = command.priority;
+    said_ += " -> answered";
+    pending_.reset();
+  }
+
+  void check_known(Client& client) {
+    for (const auto& [study, known] : known_) {
+      if (known.id.empty()) continue;  // only asked for, and the daemon died
+      const ordered_json now = client.get("/v1/studies/" + known.id);
+      EXPECT_EQ(now["paused"], known.is_paused) << known.id << said_;
+      EXPECT_EQ(now["cancelled"], known.is_cancelled) << known.id << said_;
+      EXPECT_EQ(now["priority"], known.priority) << known.id << said_;
+      EXPECT_EQ(now["cases"]["total"], kAxes[study]["Ca"].size() * kAxes[study]["V"].size())
+          << known.id << said_;
+    }
+  }
+
+  void check_ends(Client& client) {
+    std::set<std::string> wanted;
+    std::map<std::string, ordered_json> all;
+    for (const auto& [study, known] : known_)
+      for (const ordered_json& shown : client.get("/v1/studies/" + known.id + "/cases")["cases"]) {
+        all[shown["id"]] = shown;
+        if (!known.is_cancelled) wanted.insert(shown["id"].get<std::string>());
+      }
+    for (const auto& [id, shown] : all) {
+      const std::string end = state_that_ends(shown["parameters"]["V"]);
+      const bool may_be_cancelled = !wanted.contains(id) && shown["state"] == "cancelled";
+      EXPECT_TRUE(shown["state"] == end || may_be_cancelled) << shown.dump(2) << said_;
+    }
+  }
+
+  TemporaryDirectory data_;
+  std::mt19937 random_;
+  std::map<std::size_t, Known> known_;
+  std::optional<Command> pending_;
+  std::string said_;
+  int deaths_at_work_ = 0;
+};
+
+TEST(CommandHistory, HoldsWhatWasAnsweredWhoeverIsKilled) {
+  const int lives = number_from("CAPSTAN_LIVES", 60);
+  const auto seed = static_cast<unsigned>(number_from("CAPSTAN_SEED", 1));
+  History history(seed);
+  for (int life = 0; life < lives && !testing::Test::HasFailure(); ++life) history.live();
+  history.end();
+  std::cout << lives << " lives, " << history.deaths_at_work()
+            << " of them ended in the middle of a command\n";
+  EXPECT_GE(history.deaths_at_work(), lives / 5);
+}
+
+}  // namespace
+}  // namespace capstan

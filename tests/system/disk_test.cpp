@@ -1,0 +1,142 @@
+// Disks that are full, read-only or damaged, under the real daemon.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "runner/queue/database.hpp"
+#include "tests/support/file_bytes.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/sample_studies.hpp"
+#include "tests/support/served_study.hpp"
+#include "tests/support/small_disk.hpp"
+
+namespace capstan {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using testing::HasSubstr;
+
+std::string submit(Client& client, double Ca, double V = 4) {
+  return client.post("/v1/studies", study_document("disk", {{"Ca", {Ca}}, {"V", {V}}}).dump())["id"];
+}
+
+class DiskTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!disk_.is_mounted()) GTEST_SKIP() << "this user may not mount a tmpfs";
+  }
+
+  SmallDisk disk_{"120m"};
+  TemporaryDirectory elsewhere_;
+};
+
+TEST_F(DiskTest, FullOneTakesNoStudyLosesNoneAndGoesOnWhenThereIsRoom) {
+  Daemon daemon(disk_.path());
+  Client client(daemon.url());
+  const std::string before = submit(client, 0.1);
+  wait_for_cases(client, before, "done", 1);
+  disk_.fill();
+  int refused = 0;
+  std::vector<std::string> taken;
+  for (int i = 0; i < 20; ++i) try {
+      taken.push_back(submit(client, 0.2 + 0.01 * i));
+    } catch (const Refused& refusal) {
+      EXPECT_GE(refusal.status, 500);
+      ++refused;
+    }
+  EXPECT_GT(refused, 0);
+  EXPECT_EQ(client.get("/v1/studies/" + before)["cases"]["done"], 1);
+  disk_.clear();
+  taken.push_back(submit(client, 0.9));
+  for (const std::string& id : taken) wait_for_cases(client, id, "done", 1);
+  EXPECT_EQ(client.get("/v1/studies")["studies"].size(), taken.size() + 1);
+  EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+}
+
+TEST_F(DiskTest, FullOneUnderTheRunsLeavesTheCaseInTheQueueAndWhySaysSo) {
+  fs::create_directory_symlink(disk_.path(), elsewhere_.path() / "runs");
+  disk_.fill();
+  const Daemon daemon(elsewhere_.path());
+  Client client(daemon.url());
+  const std::string id = submit(client, 0.1);
+  const ordered_json shown = client.get("/v1/studies/" + id + "/cases")["cases"][0];
+  const ordered_json why = client.get("/v1/cases/" + shown["id"].get<std::string>() + "/why");
+  EXPECT_THAT(why["reasons"].dump(), HasSubstr("MB are free in"));
+  disk_.clear();
+  wait_for_cases(client, id, "done", 1);
+  EXPECT_EQ(client.get("/v1/studies/" + id + "/cases")["cases"][0]["attempt"], 1);
+}
+
+TEST_F(DiskTest, DaemonOnAFullOneEndsItsRunsWhenItIsTerminated) {
+  Daemon daemon(disk_.path());
+  Client client(daemon.url());
+  wait_for_cases(client, submit(client, 0.1, 70), "running", 1);
+  disk_.fill();
+  EXPECT_THAT(daemon.end_with(SIGTERM), testing::AnyOf(0, 1));
+  disk_.clear();
+  const Daemon successor(disk_.path());
+  Client again(successor.url());
+  EXPECT_EQ(again.get("/v1/studies")["studies"].size(), 1u);
+}
+
+TEST_F(DiskTest, DaemonDoesNotStartOnAReadOnlyOneAndSaysWhy) {
+  disk_.make_read_only(true);
+  const CommandResult serve = run_capstan("serve --listen 127.0.0.1:0 --data " + disk_.path().string());
+  EXPECT_EQ(serve.exit_code, 1);
+  EXPECT_THAT(serve.errors, HasSubstr("Read-only file system"));
+}
+
+class DamagedDatabase : public testing::Test {
+ protected:
+  void SetUp() override {
+    Daemon daemon(data_.path());
+    Client client(daemon.url());
+    wait_for_cases(client, submit(client, 0.1), "done", 1);
+    EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+    const CommandResult backup = run_capstan("backup " + copy_.string() + " --data " + data_.path().string());
+    EXPECT_EQ(backup.exit_code, 0) << backup.errors;
+  }
+
+  void overwrite_at(std::streamoff offset, std::size_t size) {
+    std::fstream(file_, std::ios::binary | std::ios::in | std::ios::out).seekp(offset)
+        << std::string(size, 'x');
+  }
+  CommandResult doctor(const std::string& options = "") {
+    return run_capstan("doctor --data " + data_.path().string() + options);
+  }
+
+  TemporaryDirectory data_, elsewhere_;
+  fs::path file_ = data_.path() / "capstan.sqlite", copy_ = elsewhere_.path() / "copy.sqlite";
+};
+
+TEST_F(DamagedDatabase, IsNotServedAndTheDoctorSaysSo) {
+  overwrite_at(0, 100);
+  const CommandResult serve = run_capstan("serve --listen 127.0.0.1:0 --data " + data_.path().string());
+  EXPECT_EQ(serve.exit_code, 1);
+  EXPECT_THAT(serve.errors, HasSubstr("not a database"));
+  EXPECT_EQ(doctor().exit_code, 1);
+}
+
+TEST_F(DamagedDatabase, IsFoundDamagedThoughItOpens) {
+  EXPECT_EQ(doctor().exit_code, 0);
+  overwrite_at(3 * 4096, 8 * 4096);
+  const CommandResult found = doctor();
+  EXPECT_EQ(found.exit_code, 1);
+  EXPECT_THAT(found.output + found.errors, testing::AnyOf(HasSubstr("malformed"), HasSubstr("fault")));
+}
+
+TEST_F(DamagedDatabase, IsReplacedByItsBackupWithAllResults) {
+  overwrite_at(0, 100);
+  for (const char* end : {"", "-wal", "-shm"}) fs::remove(file_.string() + end);
+  fs::copy_file(copy_, file_);
+  EXPECT_EQ(doctor().exit_code, 0);
+  const Daemon daemon(data_.path());
+  Client client(daemon.url());
+  EXPECT_EQ(client.get("/v1/studies")["studies"][0]["cases"]["done"], 1);
+}
+
+}  // namespace
+}  // namespace capstan

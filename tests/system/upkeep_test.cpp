@@ -1,0 +1,136 @@
+// `capstan doctor` and `capstan backup`, on what the real daemon has left.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "runner/queue/database.hpp"
+#include "tests/support/campaign.hpp"
+#include "tests/support/file_bytes.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/sample_studies.hpp"
+#include "tests/support/served_study.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace capstan {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using testing::HasSubstr;
+
+class UpkeepTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    Daemon daemon(data_.path());
+    Client client(daemon.url());
+    const std::string id =
+        client.post("/v1/studies", study_document("kept", {{"Ca", {0.25, 0.75}}}).dump())["id"];
+    wait_for_cases(client, id, "done", 2);
+    case_id_ = client.get("/v1/studies/" + id + "/cases")["cases"][0]["id"];
+    EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+  }
+
+  CommandResult doctor(const std::string& options = "") {
+    return run_capstan("doctor --data " + data_.path().string() + options);
+  }
+  void expect_fault_that_is_mended(const std::string& what) {
+    const CommandResult found = doctor();
+    EXPECT_EQ(found.exit_code, 1);
+    EXPECT_THAT(found.output, HasSubstr("fault: ")) << found.errors;
+    EXPECT_THAT(found.output, HasSubstr(what));
+    const CommandResult mended = doctor(" --repair");
+    EXPECT_EQ(mended.exit_code, 0) << mended.output << mended.errors;
+    EXPECT_THAT(mended.output, HasSubstr("mended: "));
+    EXPECT_EQ(doctor().output, "all is well\n");
+  }
+  void change(const char* sql) {
+    Database(data_.path() / "capstan.sqlite", Database::Access::write).execute_script(sql);
+  }
+  fs::path run() const { return data_.path() / "runs" / case_id_; }
+
+  TemporaryDirectory data_, elsewhere_;
+  std::string case_id_;
+};
+
+TEST_F(UpkeepTest, DoctorFindsNothingWhereAllIsWell) {
+  const CommandResult found = doctor();
+  EXPECT_EQ(found.exit_code, 0) << found.errors;
+  EXPECT_EQ(found.output, "all is well\n");
+}
+
+TEST_F(UpkeepTest, DoctorMendsWrongSums) {
+  change("UPDATE schedule SET done = 7");
+  expect_fault_that_is_mended("are not those of its cases");
+}
+
+TEST_F(UpkeepTest, DoctorWritesALostOrChangedResultAgain) {
+  const std::string before = file_bytes(run() / "result.json");
+  for (const char* damage : {"", "{\"stop\":", "{\"stop\": \"steady\"}"}) {
+    overwrite(run() / "result.json", damage);
+    expect_fault_that_is_mended("result.json");
+    EXPECT_EQ(ordered_json::parse(file_bytes(run() / "result.json")), ordered_json::parse(before));
+  }
+}
+
+TEST_F(UpkeepTest, DoctorQueuesACaseWhoseResultIsLostAgain) {
+  change("DELETE FROM results");
+  expect_fault_that_is_mended("is done, but has no result");
+  const Daemon daemon(data_.path());
+  Client client(daemon.url());
+  const std::string id = client.get("/v1/studies")["studies"][0]["id"];
+  wait_for_cases(client, id, "done", 2);
+}
+
+TEST_F(UpkeepTest, DoctorTakesAwayHalfWrittenFilesAndEmptyOrphans) {
+  std::ofstream(run() / "checkpoint-a.h5.partial") << "half";
+  expect_fault_that_is_mended("half-written");
+  fs::create_directories(data_.path() / "runs" / "00000000deadbeef");
+  expect_fault_that_is_mended("belongs to no case");
+}
+
+TEST_F(UpkeepTest, DoctorLeavesAnOrphanThatHoldsWork) {
+  const fs::path orphan = data_.path() / "runs" / "00000000deadbeef";
+  fs::create_directories(orphan);
+  std::ofstream(orphan / "checkpoint-a.h5") << "hours of work";
+  EXPECT_EQ(doctor(" --repair").exit_code, 1);
+  EXPECT_TRUE(fs::exists(orphan / "checkpoint-a.h5"));
+}
+
+TEST_F(UpkeepTest, DoctorLooksAtAServedDirectoryButMendsNothingThere) {
+  const Daemon daemon(data_.path());
+  EXPECT_EQ(doctor().exit_code, 0);
+  const CommandResult refused = doctor(" --repair");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("another capstan serves"));
+}
+
+TEST_F(UpkeepTest, BackupOfARunningDaemonHoldsAllResults) {
+  const Daemon daemon(data_.path());
+  Client client(daemon.url());
+  client.post("/v1/studies",
+              study_document("more", {{"Ca", {{"from", 0.1}, {"to", 1}, {"count", 50}}}}).dump());
+  const fs::path restored = elsewhere_.path() / "data";
+  fs::create_directories(restored);
+  const CommandResult backup =
+      run_capstan("backup " + (restored / "capstan.sqlite").string() + " --data " + data_.path().string());
+  EXPECT_EQ(backup.exit_code, 0) << backup.errors;
+  EXPECT_EQ(broken_promise(restored), "");
+  const Daemon successor(restored);
+  Client again(successor.url());
+  for (const ordered_json& study : again.get("/v1/studies")["studies"])
+    wait_for_cases(again, study["id"], "done", study["cases"]["total"]);
+}
+
+TEST_F(UpkeepTest, BackupThatCannotBeWrittenLeavesTheOldOne) {
+  const fs::path copy = elsewhere_.path() / "copy.sqlite";
+  overwrite(copy, "the old one");
+  const CommandResult backup =
+      run_capstan("backup " + copy.string() + " --data " + elsewhere_.path().string());
+  EXPECT_EQ(backup.exit_code, 1);
+  EXPECT_EQ(file_bytes(copy), "the old one");
+}
+
+}  // namespace
+}  // namespace capstan
