@@ -12,7 +12,7 @@ constexpr double kDamping = 2. / 13;          // epsilon: all stable modes are d
 constexpr double kSafety = 1.2;               // the power iteration approaches the spectral radius from below
 constexpr int kStepsAnEstimate = 15;
 constexpr int kMostStages = 200;
-constexpr double kSmallestStep = 1e-4;  // below it a mesh is torn: runs that go on need no less than 1e-3
+constexpr double kSmallestStep = 1e-6;
 
 double rms(const Points& vectors) { return vectors.norm() / std::sqrt(double(vectors.cols())); }
 
