@@ -12,16 +12,24 @@ namespace {
 
 constexpr double kWallSpeed = 0.01;
 
-/// The memory is measured before and after, since other programs may take their part of it.
-template <class Lattice>
-KernelSpeed measured(Lattice& lattice, Extent extent, std::size_t numbers_stored, std::size_t numbers_moved,
-                     std::size_t size_of_number) {
-  const std::size_t state = extent.cells() * numbers_stored * size_of_number;
-  const double before = memory_bandwidth(state);
-  const double seconds_of_two = best_time(1, [&] { lattice.step(), lattice.step(); });
-  return {.updates = 2 * double(extent.cells()) / seconds_of_two,
-          .bytes = double(numbers_moved * size_of_number),
-          .bandwidth = std::max(before, memory_bandwidth(state))};
+/// \param stored, moved  numbers of a cell in memory, and to and from it by an update
+template <class Real, class Lattice>
+KernelSpeed measured(Lattice& lattice, Extent extent, int stored, int moved) {
+  constexpr double kSpan = 2,
+                   kUpdatesOfATurn = 2e6;  // so that a small lattice is in the caches for most of its turn
+  const double cells = double(extent.cells());
+  const int steps = std::max(2, int(kUpdatesOfATurn / cells));
+  ScaledArray array(std::size_t(cells * stored * sizeof(Real)));
+  const auto repeated = [steps](auto work) {
+    return [=] {
+      for (int n = 0; n < steps; ++n) work();
+    };
+  };
+  const auto [stepping, scaling] =
+      best_times(kSpan, repeated([&] { lattice.step(); }), repeated([&] { array.scale(); }));
+  return {.updates = steps * cells / stepping,
+          .bytes = double(moved * sizeof(Real)),
+          .bandwidth = steps * array.bytes_moved() / scaling};
 }
 
 }  // namespace
@@ -31,11 +39,11 @@ KernelSpeed kernel_speed(Baseline baseline, int n) {
   const Extent extent{n, n, n};
   if (baseline == Baseline::four_moments) {
     FourMomentLattice<Real> lattice(extent, kWallSpeed);
-    return measured(lattice, extent, 2 * 4, 3 * 4, sizeof(Real));
+    return measured<Real>(lattice, extent, 2 * 4, 3 * 4);
   }
   InPlaceLattice<Real> lattice(extent, {.rates = kPaperRates, .nu_lu = 0.04, .wall_speed = kWallSpeed});
   lattice.set_couette();
-  return measured(lattice, extent, d3q19::kQ, 2 * d3q19::kQ, sizeof(Real));
+  return measured<Real>(lattice, extent, d3q19::kQ, 2 * d3q19::kQ);
 }
 
 template KernelSpeed kernel_speed<float>(Baseline, int);

@@ -14,7 +14,7 @@ std::string_view word(Baseline baseline);
 struct KernelSpeed {
   double updates;    ///< lattice updates a second
   double bytes;      ///< memory traffic of an update, arrays fetched to be overwritten included
-  double bandwidth;  ///< bytes a second that the memory gave to an array as large, in the same run
+  double bandwidth;  ///< bytes a second that the memory gave to an array as large, taking turns with it
   double share() const { return updates * bytes / bandwidth; }
 };
 
