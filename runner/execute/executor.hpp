@@ -25,7 +25,7 @@ struct RunEnd {
 /// For people: "exit code 1", "killed by signal 9 (Killed)".
 std::string describe(const RunEnd& end);
 
-enum class Stop {
+enum class StopBy {
   checkpoint,  ///< write a checkpoint, then end
   kill,        ///< end now; the run is gone on return, or poll says when
 };
@@ -50,7 +50,7 @@ class Executor {
   /// Nothing if that cannot be told.
   virtual std::optional<RunUsage> usage(const RunHandle& run) = 0;
 
-  virtual void cancel(const RunHandle& run, Stop stop) = 0;
+  virtual void cancel(const RunHandle& run, StopBy stop) = 0;
 
   /// Waits for the end of whatever works in the directory; false if it does not end in some seconds. To be
   /// asked by a daemon that takes over, whose predecessor may have died before it could say what it had

@@ -178,12 +178,12 @@ bool LocalExecutor::wait_until_free(const RunDirectory& directory) {
   return false;
 }
 
-void LocalExecutor::cancel(const RunHandle& run, Stop stop) {
+void LocalExecutor::cancel(const RunHandle& run, StopBy stop) {
   const auto process = process_from_text(run);
   if (!process || !is_alive(*process)) return;
-  ::kill(-process->pid, stop == Stop::kill ? SIGKILL : SIGTERM);
+  ::kill(-process->pid, stop == StopBy::kill ? SIGKILL : SIGTERM);
   constexpr int kLongest = 5000;  // ms; a killed process that waits for a disk
-  if (stop == Stop::kill) wait_for_end(*process, kLongest);
+  if (stop == StopBy::kill) wait_for_end(*process, kLongest);
 }
 
 void end_with_daemon() {

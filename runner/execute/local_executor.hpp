@@ -19,7 +19,7 @@ class LocalExecutor : public Executor {
   RunHandle start(const RunDirectory& directory) override;
   std::optional<RunEnd> poll(const RunHandle& run) override;
   std::optional<RunUsage> usage(const RunHandle& run) override;
-  void cancel(const RunHandle& run, Stop stop) override;
+  void cancel(const RunHandle& run, StopBy stop) override;
   bool wait_until_free(const RunDirectory& directory) override;
 
  private:

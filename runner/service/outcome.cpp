@@ -14,17 +14,17 @@ std::string text_at(const nlohmann::ordered_json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-Outcome outcome_of_result(nlohmann::ordered_json result) {
+RunOutcome outcome_of_result(nlohmann::ordered_json result) {
   static const std::set<std::string> answers = {"reached_end", "classified", "steady"};
   const auto format = result.find("format");
   if (format != result.end() && *format > kResultFormat)
-    return {Outcome::Kind::failed,
+    return {RunOutcome::Kind::failed,
             "result.json has format " + format->dump() + ", this program reads format " +
                 std::to_string(kResultFormat),
             {}};
   const bool has_answer = answers.contains(text_at(result, "stop"));
   std::string message = text_at(result, "message");
-  return {has_answer ? Outcome::Kind::done : Outcome::Kind::diverged, std::move(message), std::move(result)};
+  return {has_answer ? RunOutcome::Kind::done : RunOutcome::Kind::diverged, std::move(message), std::move(result)};
 }
 
 std::string with_log(const std::string& why, const RunDirectory& directory) {
@@ -34,9 +34,9 @@ std::string with_log(const std::string& why, const RunDirectory& directory) {
 
 }  // namespace
 
-Outcome outcome_of(const RunEnd& end, const RunDirectory& directory) {
+RunOutcome outcome_of(const RunEnd& end, const RunDirectory& directory) {
   if (auto result = directory.result()) return outcome_of_result(std::move(*result));
-  using Kind = Outcome::Kind;
+  using Kind = RunOutcome::Kind;
   if (end.how == RunEnd::How::lost) return {Kind::interrupted, "the daemon ended while it ran", {}};
   if (end.how == RunEnd::How::exited) {
     switch (end.number) {

@@ -8,7 +8,7 @@
 
 namespace capstan {
 
-struct Outcome {
+struct RunOutcome {
   enum class Kind { done, failed, diverged, interrupted, crashed };
   Kind kind;
   std::string message;                           ///< why, where that needs words
@@ -17,6 +17,6 @@ struct Outcome {
 
 /// A result.json says that the run is complete, however its process ended after that. Without one the exit
 /// status counts (schema/exit_codes.md).
-Outcome outcome_of(const RunEnd& end, const RunDirectory& directory);
+RunOutcome outcome_of(const RunEnd& end, const RunDirectory& directory);
 
 }  // namespace capstan

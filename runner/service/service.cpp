@@ -30,7 +30,7 @@ Service::Service(const DataDirectory& data, Executor& executor, const Clock& clo
 void Service::take_over() {
   for (const Claim& claim : queue_.running()) {
     const RunDirectory directory = data_.run(claim.case_id);
-    executor_.cancel(claim.handle, Stop::kill);
+    executor_.cancel(claim.handle, StopBy::kill);
     executor_.wait_until_free(directory);
     directory.remove_partial_files();
     record(claim, outcome_of(RunEnd{}, directory));
@@ -224,9 +224,9 @@ void Service::hold_to_limits(Run& run) {
 
 /// A result stands, however its run ended. Else the daemon's own reasons to end a run go before what the
 /// process's end looks like.
-Outcome Service::outcome_of_run(const Run& run) const {
-  Outcome outcome = outcome_of(*run.end, data_.run(run.claim.case_id));
-  using Kind = Outcome::Kind;
+RunOutcome Service::outcome_of_run(const Run& run) const {
+  RunOutcome outcome = outcome_of(*run.end, data_.run(run.claim.case_id));
+  using Kind = RunOutcome::Kind;
   const bool has_error = run.end->how == RunEnd::How::exited && run.end->number == kExitError;
   if (!outcome.result && has_error && !why_nothing_starts().empty())
     return {Kind::interrupted, "the disk was full", {}};
@@ -240,19 +240,19 @@ Outcome Service::outcome_of_run(const Run& run) const {
 void Service::ask_to_stop(Run& run) {
   if (!run.stop_asked) {
     run.stop_asked = clock_.elapsed();
-    executor_.cancel(run.claim.handle, Stop::checkpoint);
+    executor_.cancel(run.claim.handle, StopBy::checkpoint);
   } else if (clock_.elapsed() - *run.stop_asked > kGrace) {
     kill(run);
   }
 }
 
 void Service::kill(Run& run) {
-  if (!run.is_killed) executor_.cancel(run.claim.handle, Stop::kill);
+  if (!run.is_killed) executor_.cancel(run.claim.handle, StopBy::kill);
   run.is_killed = true;
 }
 
 /// The end of the run and all that it left, in one transaction; nothing if the claim holds no longer.
-void Service::record(const Claim& claim, const Outcome& outcome) {
+void Service::record(const Claim& claim, const RunOutcome& outcome) {
   Transaction transaction(database_);
   if (!record_ending(claim, outcome)) return;
   HistoryTail whole(data_.run(claim.case_id).history_file());
@@ -264,17 +264,17 @@ void Service::record(const Claim& claim, const Outcome& outcome) {
   fail_point("recorded");
 }
 
-bool Service::record_ending(const Claim& claim, const Outcome& outcome) {
+bool Service::record_ending(const Claim& claim, const RunOutcome& outcome) {
   switch (outcome.kind) {
-    case Outcome::Kind::done:
+    case RunOutcome::Kind::done:
       return queue_.finish(claim, Ending::done, outcome.message);
-    case Outcome::Kind::failed:
+    case RunOutcome::Kind::failed:
       return queue_.finish(claim, Ending::failed, outcome.message);
-    case Outcome::Kind::diverged:
+    case RunOutcome::Kind::diverged:
       return queue_.finish(claim, Ending::diverged, outcome.message);
-    case Outcome::Kind::interrupted:
+    case RunOutcome::Kind::interrupted:
       return queue_.interrupted(claim, outcome.message);
-    case Outcome::Kind::crashed:
+    case RunOutcome::Kind::crashed:
       break;
   }
   return queue_.crashed(claim, outcome.message);

@@ -105,11 +105,11 @@ class Service {
   void keep_lease(Run& run);
   void feel_pulse(Run& run);
   void hold_to_limits(Run& run);
-  Outcome outcome_of_run(const Run& run) const;
+  RunOutcome outcome_of_run(const Run& run) const;
   void ask_to_stop(Run& run);
   void kill(Run& run);
-  void record(const Claim& claim, const Outcome& outcome);
-  bool record_ending(const Claim& claim, const Outcome& outcome);
+  void record(const Claim& claim, const RunOutcome& outcome);
+  bool record_ending(const Claim& claim, const RunOutcome& outcome);
 
   const DataDirectory& data_;
   Executor& executor_;

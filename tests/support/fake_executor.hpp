@@ -29,9 +29,9 @@ class FakeExecutor : public Executor {
   }
   bool wait_until_free(const RunDirectory&) override { return true; }
 
-  void cancel(const RunHandle& run, Stop stop) override {
-    (stop == Stop::kill ? killed : asked_to_stop).push_back(run);
-    if (stop == Stop::kill) end(run, {RunEnd::How::signalled, 9});
+  void cancel(const RunHandle& run, StopBy stop) override {
+    (stop == StopBy::kill ? killed : asked_to_stop).push_back(run);
+    if (stop == StopBy::kill) end(run, {RunEnd::How::signalled, 9});
   }
 
   void end(const RunHandle& run, RunEnd how) {

@@ -11,15 +11,15 @@
 namespace capstan {
 namespace {
 
-using Kind = Outcome::Kind;
+using Kind = RunOutcome::Kind;
 
 class OutcomeTest : public testing::Test {
  protected:
   void write(const char* file, const std::string& text) { std::ofstream(directory_.path() / file) << text; }
-  Outcome exited_with(int code) {
+  RunOutcome exited_with(int code) {
     return outcome_of({RunEnd::How::exited, code}, RunDirectory(directory_.path()));
   }
-  Outcome killed_by(int signal) {
+  RunOutcome killed_by(int signal) {
     return outcome_of({RunEnd::How::signalled, signal}, RunDirectory(directory_.path()));
   }
 
@@ -29,7 +29,7 @@ class OutcomeTest : public testing::Test {
 TEST_F(OutcomeTest, AnswerIsDone) {
   for (const char* stop : {"reached_end", "classified", "steady"}) {
     write("result.json", std::string("{\"stop\":\"") + stop + "\",\"motion\":\"tumbling\"}");
-    const Outcome outcome = exited_with(0);
+    const RunOutcome outcome = exited_with(0);
     EXPECT_EQ(outcome.kind, Kind::done);
     EXPECT_EQ((*outcome.result)["motion"], "tumbling");
   }
@@ -37,7 +37,7 @@ TEST_F(OutcomeTest, AnswerIsDone) {
 
 TEST_F(OutcomeTest, NumericalFailureIsDivergedWithItsMessage) {
   write("result.json", R"({"stop": "not_converged", "message": "no flow at kt = 3"})");
-  const Outcome outcome = exited_with(3);
+  const RunOutcome outcome = exited_with(3);
   EXPECT_EQ(outcome.kind, Kind::diverged);
   EXPECT_EQ(outcome.message, "no flow at kt = 3");
 }
@@ -50,7 +50,7 @@ TEST_F(OutcomeTest, PublishedResultCountsHoweverTheProcessEndedAfterwards) {
 
 TEST_F(OutcomeTest, RefusedCaseFailsWithWhatWasSaid) {
   write("log", "/V  is 0\n");
-  const Outcome outcome = exited_with(2);
+  const RunOutcome outcome = exited_with(2);
   EXPECT_EQ(outcome.kind, Kind::failed);
   EXPECT_NE(outcome.message.find("/V  is 0"), std::string::npos);
 }
@@ -63,7 +63,7 @@ TEST_F(OutcomeTest, InterruptionGoesBackToTheQueue) {
 TEST_F(OutcomeTest, AnyOtherEndIsACrash) {
   EXPECT_EQ(exited_with(1).kind, Kind::crashed);
   EXPECT_EQ(exited_with(0).kind, Kind::crashed);  // said done, but left no result
-  const Outcome outcome = killed_by(SIGSEGV);
+  const RunOutcome outcome = killed_by(SIGSEGV);
   EXPECT_EQ(outcome.kind, Kind::crashed);
   EXPECT_EQ(outcome.message, "killed by signal 11 (Segmentation fault)");
 }
@@ -83,7 +83,7 @@ TEST_F(OutcomeTest, ResultOfALaterFormatIsNotGuessedAt) {
 
 /// tests/reference/run_directory_1 is what a process of format 1 left.
 TEST(OldRunDirectory, CompleteOneIsRecorded) {
-  const Outcome outcome = outcome_of({}, RunDirectory(CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1"));
+  const RunOutcome outcome = outcome_of({}, RunDirectory(CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1"));
   EXPECT_EQ(outcome.kind, Kind::done);
   EXPECT_EQ((*outcome.result)["motion"], "undecided");
   HistoryTail history(CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1/history.jsonl");
