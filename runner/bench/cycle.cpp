@@ -81,7 +81,7 @@ void print_step(const Scene& scene, bool json) {
   const IndexBox capsule = boundary.touched(2);
   VectorBox on_grid;
   ScalarBox ratio;
-  ratio.reset(capsule.lo, {capsule.size(0), capsule.size(1), capsule.size(2)});
+  ratio.reset(capsule.lo, capsule.sizes());
 
   nlohmann::ordered_json rows;
   const auto add = [&](const char* part, double seconds) {

@@ -4,7 +4,6 @@
 #include <ctime>
 
 #include "solver/case/parse.hpp"
-#include "solver/simulation/simulation.hpp"
 
 namespace capstan {
 namespace {
@@ -55,11 +54,10 @@ TimedRun timed_run(const Case& c, double longest_seconds) {
   const auto start = Clock::now();
   Stopwatch stopwatch(longest_seconds);
   const Outcome outcome = simulation.run(stopwatch);
-  return {.has_ended = outcome.stop == Stop::reached_end || outcome.stop == Stop::classified,
+  return {.outcome = outcome,
           .history = std::move(stopwatch.history),
           .steps = simulation.statistics().steps,
           .steps_to_end = simulation.steps_to_end(),
-          .flow_iterations = simulation.statistics().flow_iterations,
           .seconds = processor_seconds() - cpu,
           .wall_seconds = seconds_since(start),
           .steady_seconds = stopwatch.since_first_step()};

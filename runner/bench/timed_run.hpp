@@ -2,17 +2,16 @@
 // Runs without files, and what they cost.
 #include "solver/case/case.hpp"
 #include "solver/observe/classify.hpp"
-#include "solver/observe/history.hpp"
+#include "solver/simulation/simulation.hpp"
 
 namespace capstan {
 
 struct TimedRun {
-  bool has_ended = false;  ///< at the case's own end, not where the time was up or the run went wrong
+  Outcome outcome;  ///< interrupted where the time was up
   History history;
-  long steps = 0;            ///< of the membrane, or of records where the stepper chooses its own
-  long steps_to_end = 0;     ///< that the whole run has
-  long flow_iterations = 0;  ///< see FlowReport
-  double seconds = 0;        ///< of processor time, all threads
+  long steps = 0;         ///< of the membrane, or of records where the stepper chooses its own
+  long steps_to_end = 0;  ///< that the whole run has
+  double seconds = 0;     ///< of processor time, all threads
   double wall_seconds = 0;
   double steady_seconds = 0;  ///< of wall time of all steps but the first, which starts from nothing
 };

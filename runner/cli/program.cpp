@@ -4,7 +4,6 @@
 #include <exception>
 #include <iostream>
 #include <memory>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -202,7 +201,7 @@ Action declare_compare(CLI::App& command, const Physics& physics) {
 Action declare_estimate(CLI::App& command, const Physics& physics) {
   struct Arguments {
     std::string file;
-    int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    int cores = all_cores();
     bool json = false;
   };
   auto arguments = std::make_shared<Arguments>();

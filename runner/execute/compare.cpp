@@ -2,28 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <numbers>
 
+#include "runner/bench/timed_run.hpp"
 #include "runner/execute/case_file.hpp"
 #include "runner/execute/exit_code.hpp"
-#include "solver/simulation/simulation.hpp"
 
 namespace capstan {
 namespace {
-
-class KeepHistory : public RunOutput {
- public:
-  void record(const Record& now) override { history.push_back(now); }
-  void shape(double, int, const Points&, const Points&, const Points&) override {}
-  void checkpoint(StateArchive) override {}
-  bool interrupted() const override { return false; }
-
-  History history;
-};
 
 struct Run {
   Record last;
@@ -31,16 +20,10 @@ struct Run {
 };
 
 std::optional<Run> run(const Case& c) {
-  const auto start = std::chrono::steady_clock::now();
-  KeepHistory output;
-  Simulation simulation(c);
-  const Outcome outcome = simulation.run(output);
-  if (outcome.stop != Stop::reached_end) {
-    std::cerr << word(c.fluid) << ": " << word(outcome.stop) << ": " << outcome.message << "\n";
-    return std::nullopt;
-  }
-  return Run{output.history.back(),
-             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+  const TimedRun timed = timed_run(c);
+  if (timed.outcome.stop == Stop::reached_end) return Run{timed.history.back(), timed.wall_seconds};
+  std::cerr << word(c.fluid) << ": " << word(timed.outcome.stop) << ": " << timed.outcome.message << "\n";
+  return std::nullopt;
 }
 
 struct Grid {

@@ -55,6 +55,10 @@ double default_kdt(const Fidelity& fidelity, double Ca, double C);
 /// The same for boundary integrals: no grid filters the membrane's stiffest modes, which grow with the mesh.
 double default_stokes_kdt(int nodes, double Ca);
 
+/// Cells along an edge of the composite's grids over the whole domain, finest first: halved until 8 or fewer are left
+/// or their half is odd.
+std::vector<int> halved_cells(int finest);
+
 /// Vertex counts of the subdivided icosahedron: 12, 42, 162, 642, 2562, 10242, 40962.
 std::optional<int> icosphere_subdivisions(int nodes);
 

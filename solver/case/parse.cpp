@@ -239,9 +239,8 @@ void read_knobs(ObjectReader& knobs, const Case& c, Fidelity& fidelity) {
     knobs.without_effect(key, c.fluid != Fluid::transient, "the transient flow's time step is set by the lattice");
   for (const char* key : {"dx", "box", "scheme"})
     knobs.without_effect(key, c.has_grid(), "boundary integrals have no grid");
-  const bool is_composite = c.fluid == Fluid::quasisteady && fidelity.scheme == Scheme::tuned;
-  knobs.without_effect("symmetry", is_composite || !c.has_grid(), "this flow is always solved for as a whole");
-  knobs.without_effect("precision", is_composite || c.fluid == Fluid::transient,
+  knobs.without_effect("symmetry", c.can_use_symmetry(), "this flow is always solved for as a whole");
+  knobs.without_effect("precision", c.has_composite_grid() || c.fluid == Fluid::transient,
                        "only the quasi-steady flow's tuned scheme and the transient flow have a choice");
   knobs.without_effect("kdt", fidelity.stepper == Stepper::adams_bashforth, "rkc2 chooses its steps by their error");
 }
@@ -251,19 +250,13 @@ double default_kdt(const Case& c) {
   return c.has_grid() ? default_kdt(c.fidelity, c.Ca, c.C) : default_stokes_kdt(c.fidelity.nodes, c.Ca);
 }
 
-/// Halved until it is small or its half is odd.
-long coarsest(long cells) {
-  while (cells > 8 && cells % 4 == 0) cells /= 2;
-  return cells;
-}
-
 void check_grid(ObjectReader& reader, const Case& c) {
-  constexpr long kMostOfCoarsest = 24;
+  constexpr int kMostOfCoarsest = 24;
   const Fidelity& fidelity = c.fidelity;
   const double cells = fidelity.box / fidelity.dx;
   if (std::abs(cells - std::round(cells)) > 1e-9 * cells || std::lround(cells) % 8 != 0)
     reader.fault("fidelity", "box/dx is " + shown(cells) + ", must be a multiple of 8 so that the grid can be coarsened");
-  else if (c.has_composite_grid() && coarsest(std::lround(cells)) > kMostOfCoarsest)
+  else if (c.has_composite_grid() && halved_cells(int(std::lround(cells))).back() > kMostOfCoarsest)
     reader.fault("fidelity", "box/dx is " + shown(cells) + ", which cannot be halved until 24 or less are left; try " +
                                  shown(std::exp2(std::round(std::log2(cells)))));
   else if (!c.has_composite_grid() && cells > 512)

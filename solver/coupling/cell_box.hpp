@@ -43,19 +43,19 @@ class CellBox {
 };
 
 /// The same numbers on a grid of twice the spacing: means over eight children; those outside of the box count
-/// as `outside`. Indices are not negative.
+/// as `outside`. The parent of cell i is floor(i/2), for negative indices too.
 inline CellBox<1> coarsened(const CellBox<1>& fine, double outside) {
   std::array<int, 3> lo{}, size{};
   for (int c = 0; c < 3; ++c) {
-    lo[c] = fine.lo()[c] / 2;
-    size[c] = (fine.lo()[c] + fine.size()[c] + 1) / 2 - lo[c];
+    lo[c] = fine.lo()[c] >> 1;
+    size[c] = ((fine.lo()[c] + fine.size()[c] + 1) >> 1) - lo[c];
   }
   CellBox<1> coarse;
   coarse.reset(lo, size, outside);
   fine.for_each_row([&](int y, int z) {
-    double* row = coarse.row(0, y / 2, z / 2) - lo[0];
+    double* row = coarse.row(0, y >> 1, z >> 1) - lo[0];
     for (int i = 0, x = fine.lo()[0]; i < fine.size()[0]; ++i, ++x)
-      row[x / 2] += (fine.row(0, y, z)[i] - outside) / 8;
+      row[x >> 1] += (fine.row(0, y, z)[i] - outside) / 8;
   });
   return coarse;
 }

@@ -23,6 +23,9 @@ inline FlowReport lost_flow(std::string fault) {
   return {.error = std::numeric_limits<double>::infinity(), .converged = false, .fault = std::move(fault)};
 }
 
+/// The fault of every model on a grid that the capsule has left.
+inline constexpr const char* kOutsideOfDomain = "the capsule left the domain or its positions are not finite";
+
 /// Flow around (and inside) one capsule in the shear flow u = (y, 0, 0). Units: a = k = mu_a = 1.
 class FlowModel {
  public:

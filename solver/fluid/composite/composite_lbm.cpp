@@ -19,21 +19,9 @@ constexpr double kLeastContraction = 0.2;
 // they bring.
 constexpr CycleShape kCycle{.pre = 0, .post = 2, .visits = 2, .once = 2, .coarsest = 10};
 
-/// Viscosities over the ambient one at twice the spacing: means of the eight children.
-ScalarBox coarsened_viscosity(const ScalarBox& fine) {
-  const IndexBox cells{
-      fine.lo(),
-      {fine.lo()[0] + fine.size()[0], fine.lo()[1] + fine.size()[1], fine.lo()[2] + fine.size()[2]}};
-  const IndexBox parents = coarsened(cells);
-  ScalarBox coarse;
-  coarse.reset(parents.lo, {parents.size(0), parents.size(1), parents.size(2)}, 1);
-  fine.for_each_row([&](int y, int z) {
-    double* row = coarse.row(0, parent(y), parent(z)) - parents.lo[0];
-    for (int x = cells.lo[0]; x < cells.hi[0]; ++x)
-      row[parent(x)] += (fine.row(0, y, z)[x - cells.lo[0]] - 1) / 8;
-  });
-  return coarse;
-}
+constexpr int kSmoothing = 2;  // cells beside the membrane over which the jump of viscosity is smoothed
+
+GridGeometry finest_grid(double dx) { return {Vec3::Constant(dx / 2), dx}; }
 
 }  // namespace
 
@@ -41,16 +29,15 @@ template <class T>
 CompositeLbm<T>::CompositeLbm(const TriangleMesh& mesh, Orbits orbits, const CompositeOptions& options)
     : options_(options),
       domain_{int(std::lround(options.box / options.dx)), false, options.is_uniform},
-      boundary_({Vec3::Constant(options.dx / 2), options.dx}, std::move(orbits)) {
+      boundary_(finest_grid(options.dx), std::move(orbits)) {
   domain_.is_quarter = boundary_.has_symmetry();
-  if (options.V != 1) viscosity_.emplace(GridGeometry{Vec3::Constant(options.dx / 2), options.dx}, mesh);
+  if (options.V != 1) viscosity_.emplace(finest_grid(options.dx), mesh);
 }
 
 template <class T>
 FlowReport CompositeLbm<T>::solve(double kt, const Points& positions, const Points& forces,
                                   Points& velocities) {
-  if (!forces.allFinite() || !put_membrane(positions))
-    return lost_flow("the capsule left the domain or its positions are not finite");
+  if (!forces.allFinite() || !put_membrane(positions)) return lost_flow(kOutsideOfDomain);
   if (viscosity_) put_viscosity(positions);
   extrapolate_to(kt);
   put_forces(forces);
@@ -60,8 +47,7 @@ FlowReport CompositeLbm<T>::solve(double kt, const Points& positions, const Poin
 template <class T>
 bool CompositeLbm<T>::put_membrane(const Points& positions) {
   if (!boundary_.place(positions)) return false;
-  constexpr int kMargin = 2;  // the jump of viscosity is smoothed over two cells
-  const IndexBox capsule = boundary_.touched(kMargin);
+  const IndexBox capsule = boundary_.touched(kSmoothing);
   if (!domain_.box(0).contains(capsule)) return false;
   follow(capsule);
   return true;
@@ -87,13 +73,13 @@ void CompositeLbm<T>::make_grids(const std::vector<IndexBox>& boxes) {
 
 template <class T>
 void CompositeLbm<T>::put_viscosity(const Points& positions) {
-  const IndexBox capsule = boundary_.touched(2);
+  const IndexBox capsule = boundary_.touched(kSmoothing);
   ScalarBox ratio;
-  ratio.reset(capsule.lo, {capsule.size(0), capsule.size(1), capsule.size(2)});
+  ratio.reset(capsule.lo, capsule.sizes());
   viscosity_->update(positions, 1, options_.V, ratio);
   for (Grid<T>& grid : grids_) {
     grid.set_viscosity(ratio);
-    ratio = coarsened_viscosity(ratio);
+    ratio = coarsened(ratio, 1);
   }
 }
 
@@ -124,13 +110,7 @@ template <class T>
 void CompositeLbm<T>::vertex_velocities(const Points& positions, Points& velocities) {
   velocity_.reset(force_.lo(), force_.size());
   grids_.front().momentum(velocity_);
-  velocity_.for_each_row([&](int y, int z) {
-    for (int c = 0; c < 3; ++c) {
-      double* row = velocity_.row(c, y, z);
-      const double* force = force_.row(c, y, z);
-      for (int i = 0; i < velocity_.size()[0]; ++i) row[i] -= 0.5 * force[i];
-    }
-  });
+  add_scaled(-0.5, force_, velocity_);
   boundary_.interpolate(velocity_, velocities);
   velocities.row(0) += positions.row(1);
 }
@@ -175,7 +155,7 @@ void CompositeLbm<T>::save(StateArchive& archive) const {
   for (std::size_t grid = 0; grid < grids_.size(); ++grid) {
     for (int axis = 0; axis < 3; ++axis)
       boxes.push_back(boxes_[grid].lo[axis]), boxes.push_back(boxes_[grid].hi[axis]);
-    grids_[grid].visit_state([&](const char* name, const RowField<T>& field) {
+    Grid<T>::visit_state(grids_[grid], [&](const char* name, const RowField<T>& field) {
       const auto numbers = field.data();
       archive.put("fluid/" + std::to_string(grid) + "/" + name,
                   std::vector<double>(numbers.begin(), numbers.end()));
@@ -197,7 +177,7 @@ void CompositeLbm<T>::load(const StateArchive& archive) {
   grids_.clear();
   make_grids(boxes_);
   for (std::size_t grid = 0; grid < grids_.size(); ++grid)
-    grids_[grid].visit_state([&](const char* name, RowField<T>& field) {
+    Grid<T>::visit_state(grids_[grid], [&](const char* name, RowField<T>& field) {
       const auto saved = archive.get("fluid/" + std::to_string(grid) + "/" + name);
       const auto state = field.data();
       if (saved.size() != state.size()) throw std::runtime_error("checkpoint has another grid");

@@ -141,16 +141,16 @@ IndexBox Grid<T>::covered_stencils(const Grid& fine) const {
 template <class T>
 void Grid<T>::subtract_mean_mass_defect() {
   const IndexBox& cells = box();
-  const auto for_each_row = [&](auto visit) {
+  const auto for_each_mass_row = [&](auto visit) {  // in one order, so that the sum is always the same
     for (int z = cells.lo[2]; z < cells.hi[2]; ++z)
       for (int y = cells.lo[1]; y < cells.hi[1]; ++y) visit(defect_.row(kRho, y, z));
   };
   double sum = 0;
-  for_each_row([&](const T* row) {
+  for_each_mass_row([&](const T* row) {
     for (int i = 0; i < cells.size(0); ++i) sum += row[i];
   });
   const T mean = T(sum / double(cells.cells()));
-  for_each_row([&](T* row) {
+  for_each_mass_row([&](T* row) {
     for (int i = 0; i < cells.size(0); ++i) row[i] -= mean;
   });
 }
@@ -187,21 +187,11 @@ void Grid<T>::interpolate_ghosts(const Grid& coarse) {
       layer.lo[axis] = side == 0 ? box().lo[axis] - 1 : box().hi[axis];
       layer.hi[axis] = layer.lo[axis] + 1;
       interpolate(coarse.f_, f_, layer, kStateToFine);
-      copy_ghosts_to_out(layer);
+      copy_cells(f_, out_, layer);  // a sweep writes no ghosts, so both buffers have them
     }
     if (is_interpolated(axis, 0)) --wide.lo[axis];
     if (is_interpolated(axis, 1)) ++wide.hi[axis];
   }
-}
-
-/// A sweep writes no ghosts, so both buffers have them.
-template <class T>
-void Grid<T>::copy_ghosts_to_out(const IndexBox& region) {
-  for (int z = region.lo[2]; z < region.hi[2]; ++z)
-    for (int y = region.lo[1]; y < region.hi[1]; ++y)
-      for (int k = 0; k < kMoments; ++k)
-        std::copy_n(f_.row(k, y, z) + (region.lo[0] - box().lo[0]), region.size(0),
-                    out_.row(k, y, z) + (region.lo[0] - box().lo[0]));
 }
 
 template <class T>

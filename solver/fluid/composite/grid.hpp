@@ -29,7 +29,6 @@ class Grid {
        const Relaxation& relaxation);
 
   const IndexBox& box() const { return f_.box(); }
-  double dx() const { return dx_; }
   bool is_whole() const { return box() == domain_; }
 
   // The level of fas.hpp.
@@ -61,17 +60,11 @@ class Grid {
   /// g in the cells of a box inside this grid (units a k, without the shear flow).
   void momentum(VectorBox& box) const;
 
-  const RowField<T>& moments() const { return f_; }
   /// Everything the next solve depends on.
-  template <class Visit>  // visit(name, RowField<T>&)
-  void visit_state(Visit visit) {
-    visit("f", f_), visit("before", before_);
-    if (stress_) visit("p", stress_->p), visit("p_before", stress_->before);
-  }
-  template <class Visit>  // visit(name, const RowField<T>&)
-  void visit_state(Visit visit) const {
-    visit("f", f_), visit("before", before_);
-    if (stress_) visit("p", stress_->p), visit("p_before", stress_->before);
+  template <class Self, class Visit>  // Self: Grid or const Grid; visit(name, RowField<T>&), const likewise
+  static void visit_state(Self& grid, Visit visit) {
+    visit("f", grid.f_), visit("before", grid.before_);
+    if (grid.stress_) visit("p", grid.stress_->p), visit("p_before", grid.stress_->before);
   }
 
  private:
@@ -81,7 +74,6 @@ class Grid {
   void take_change();
   IndexBox covered_stencils(const Grid& fine) const;
   void subtract_mean_mass_defect();
-  void copy_ghosts_to_out(const IndexBox& region);
   SideRules rules_of(const IndexBox& box) const;
 
   IndexBox domain_;

@@ -12,6 +12,7 @@ struct IndexBox {
 
   bool operator==(const IndexBox&) const = default;
   int size(int axis) const { return hi[axis] - lo[axis]; }
+  std::array<int, 3> sizes() const { return {size(0), size(1), size(2)}; }
   long cells() const { return long(size(0)) * size(1) * size(2); }
   bool contains(const IndexBox& other) const {
     for (int axis = 0; axis < 3; ++axis)

@@ -1,5 +1,7 @@
 #include "solver/fluid/composite/layout.hpp"
 
+#include "solver/case/fidelity.hpp"
+
 namespace capstan {
 namespace {
 
@@ -41,11 +43,7 @@ bool still_fits(const IndexBox& box, const IndexBox& needed, const IndexBox& wan
 
 }  // namespace
 
-int Domain::grid_count() const {
-  int count = 1;
-  for (int n = cells; n > 8 && n % 4 == 0; n /= 2) ++count;
-  return count;
-}
+int Domain::grid_count() const { return int(halved_cells(cells).size()); }
 
 IndexBox Domain::box(int grid) const {
   const int half = (cells >> grid) / 2, low = is_quarter ? 0 : -half;

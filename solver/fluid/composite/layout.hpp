@@ -14,7 +14,7 @@ struct Domain {
   bool is_quarter;  ///< only y, z >= 0: the rest is its image by the half-turn about z and the mirror z -> -z
   bool is_uniform = false;  ///< every grid covers the whole domain
 
-  /// How many grids there are: the coarsest has at most 8 cells an edge, or an odd half.
+  /// How many grids there are (halved_cells).
   int grid_count() const;
   IndexBox box(int grid) const;
   SideRules rules() const;

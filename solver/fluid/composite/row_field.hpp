@@ -52,15 +52,20 @@ class RowField {
   std::vector<T, Eigen::aligned_allocator<T>> data_;
 };
 
-/// Copies the cells that both boxes have (their ghosts not).
+/// Copies a region of cells that both fields have, in their boxes or ghosts.
+template <class T>
+void copy_cells(const RowField<T>& from, RowField<T>& to, const IndexBox& region) {
+  for (int z = region.lo[2]; z < region.hi[2]; ++z)
+    for (int y = region.lo[1]; y < region.hi[1]; ++y)
+      for (int k = 0; k < to.components(); ++k)
+        std::copy_n(from.row(k, y, z) + (region.lo[0] - from.box().lo[0]), region.size(0),
+                    to.row(k, y, z) + (region.lo[0] - to.box().lo[0]));
+}
+
+/// The cells that both boxes have (their ghosts not).
 template <class T>
 void copy_cells(const RowField<T>& from, RowField<T>& to) {
-  const IndexBox both = intersection(from.box(), to.box());
-  for (int z = both.lo[2]; z < both.hi[2]; ++z)
-    for (int y = both.lo[1]; y < both.hi[1]; ++y)
-      for (int k = 0; k < to.components(); ++k)
-        std::copy_n(from.row(k, y, z) + (both.lo[0] - from.box().lo[0]), both.size(0),
-                    to.row(k, y, z) + (both.lo[0] - to.box().lo[0]));
+  copy_cells(from, to, intersection(from.box(), to.box()));
 }
 
 /// now <- now + weight (now - before), before <- now.

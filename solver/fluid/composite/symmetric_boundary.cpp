@@ -5,10 +5,6 @@
 namespace capstan {
 namespace {
 
-void reset(VectorBox& box, const IndexBox& cells) {
-  box.reset(cells.lo, {cells.size(0), cells.size(1), cells.size(2)});
-}
-
 /// visit(row of the extended box, row of the quarter, sign, whether x is reversed), for all rows and
 /// components.
 template <class Extended, class Quarter, class Visit>
@@ -64,12 +60,13 @@ IndexBox SymmetricBoundary::touched(int margin) const {
 }
 
 void SymmetricBoundary::spread(const Points& forces, double scale, VectorBox& box) {
-  reset(box, touched());
+  const IndexBox cells = touched(), all = extended();
+  box.reset(cells.lo, cells.sizes());
   Points shares = orbits_.restrict(forces);
   if (!has_symmetry()) return boundary_.spread(shares, scale, box);
   shares = folded(shares);
   for (Eigen::Index k = 0; k < shares.cols(); ++k) shares.col(k) *= orbits_.size(int(k)) / 4.0;
-  reset(extended_box_, extended());
+  extended_box_.reset(all.lo, all.sizes());
   boundary_.spread(shares, scale, extended_box_);
   const int n = box.size()[0];
   for_each_image(extended_box_, box, [n](const double* from, double* to, double sign, bool is_reversed) {
@@ -80,7 +77,8 @@ void SymmetricBoundary::spread(const Points& forces, double scale, VectorBox& bo
 void SymmetricBoundary::interpolate(const VectorBox& box, Points& velocities) {
   Points at_representatives(3, signs_.cols());
   if (has_symmetry()) {
-    reset(extended_box_, extended());
+    const IndexBox all = extended();
+    extended_box_.reset(all.lo, all.sizes());
     const int n = box.size()[0];
     for_each_image(extended_box_, box, [n](double* to, const double* from, double sign, bool is_reversed) {
       for (int i = 0; i < n; ++i) to[i] = sign * from[is_reversed ? n - 1 - i : i];

@@ -32,9 +32,6 @@ class LatticeCoupling {
     boundary_.interpolate(velocity_, 1 / units_.velocity_lu, velocities);
   }
 
-  /// Why the membrane could not be placed.
-  static constexpr const char* kOutside = "the capsule left the domain or its positions are not finite";
-
  private:
   LatticeUnits units_;
   int cells_;        ///< along an edge of the domain

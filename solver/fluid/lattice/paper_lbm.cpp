@@ -30,7 +30,7 @@ PaperLbm::PaperLbm(const Case& c, const TriangleMesh& mesh)
 }
 
 FlowReport PaperLbm::solve(double, const Points& positions, const Points& forces, Points& velocities) {
-  if (!coupling_.put_membrane(positions, forces, levels_)) return lost_flow(LatticeCoupling::kOutside);
+  if (!coupling_.put_membrane(positions, forces, levels_)) return lost_flow(kOutsideOfDomain);
   return cycle_until_converged(velocities);
 }
 

@@ -31,7 +31,7 @@ TransientLbm<Real>::TransientLbm(const Case& c, const TriangleMesh& mesh)
 template <class Real>
 FlowReport TransientLbm<Real>::solve(double, const Points& positions, const Points& forces,
                                      Points& velocities) {
-  if (!coupling_.place_membrane(positions, forces)) return lost_flow(LatticeCoupling::kOutside);
+  if (!coupling_.place_membrane(positions, forces)) return lost_flow(kOutsideOfDomain);
   lattice_.set_force(&coupling_.force());
   lattice_.set_viscosity(coupling_.viscosity());
   lattice_.step();

@@ -46,14 +46,23 @@ TEST(SymmetricBoundary, SpreadsInItsQuarterWhatTheWholeMembraneSpreadsThere) {
   EXPECT_LT(largest, 1e-13);
 }
 
+/// The capsule's vectors spread onto the grid, and what is interpolated from there.
+struct ThereAndBack {
+  VectorBox forces;
+  Points velocities;
+};
+ThereAndBack there_and_back(const Capsule& capsule) {
+  SymmetricBoundary boundary(kGrid, capsule.orbits);
+  EXPECT_TRUE(boundary.place(capsule.positions));
+  ThereAndBack result;
+  boundary.spread(capsule.vectors, 1, result.forces);
+  boundary.interpolate(result.forces, result.velocities);
+  return result;
+}
+
 TEST(SymmetricBoundary, SpreadingAndInterpolatingAreAdjoint) {
   const Capsule capsule;
-  SymmetricBoundary boundary(kGrid, capsule.orbits);
-  ASSERT_TRUE(boundary.place(capsule.positions));
-  VectorBox forces;
-  boundary.spread(capsule.vectors, 1, forces);
-  Points velocities;
-  boundary.interpolate(forces, velocities);
+  const auto [forces, velocities] = there_and_back(capsule);
   double on_grid = 0;
   for (double number : forces.values()) on_grid += number * number;
   EXPECT_NEAR(4 * on_grid, capsule.vectors.cwiseProduct(velocities).sum(), 1e-10);
@@ -61,12 +70,7 @@ TEST(SymmetricBoundary, SpreadingAndInterpolatingAreAdjoint) {
 
 TEST(SymmetricBoundary, VelocitiesHaveTheSymmetryToTheLastBit) {
   const Capsule capsule;
-  SymmetricBoundary boundary(kGrid, capsule.orbits);
-  ASSERT_TRUE(boundary.place(capsule.positions));
-  VectorBox forces;
-  boundary.spread(capsule.vectors, 1, forces);
-  Points velocities;
-  boundary.interpolate(forces, velocities);
+  const auto [forces, velocities] = there_and_back(capsule);
   EXPECT_EQ(velocities, capsule.orbits.extend(capsule.orbits.restrict(velocities)));
 }
 
