@@ -14,6 +14,13 @@ namespace {
   throw DatabaseError("database " + std::string(name ? name : "") + ": " + operation + ": " + why);
 }
 
+/// SQLite counts its memory behind one lock for all threads, which then wait for each other at every
+/// allocation.
+void count_no_memory() {
+  static const int once = sqlite3_config(SQLITE_CONFIG_MEMSTATUS, 0);
+  static_cast<void>(once);
+}
+
 std::size_t format_of(Database& database) {
   Statement version = database.query("PRAGMA user_version");
   version.step();
@@ -98,6 +105,7 @@ Database::Database(const std::filesystem::path& file, Access access)
 }
 
 Database::Database(const std::filesystem::path& file, int flags) {
+  count_no_memory();
   sqlite3* connection = nullptr;
   const int code = sqlite3_open_v2(file.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   connection_.reset(connection);

@@ -49,9 +49,9 @@ std::string text_of(const Issues& issues) {
 }  // namespace
 
 std::string add_case(Database& database, const Case& c) {
-  const std::string id = case_id(c);
+  auto [id, document] = canonical(c);
   database.execute("INSERT INTO cases (id, document, numerics) VALUES (?, ?, ?) ON CONFLICT (id) DO NOTHING",
-                   id, to_json(c).dump(), kNumericsVersion);
+                   id, document, kNumericsVersion);
   database.execute("UPDATE cases SET state = 'queued', message = '' WHERE id = ? AND state = 'cancelled'",
                    id);
   return id;

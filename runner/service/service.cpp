@@ -23,6 +23,7 @@ Service::Service(const DataDirectory& data, Executor& executor, const Clock& clo
       cores_(static_cast<std::size_t>(cores)),
       limits_(limits),
       database_(data.database(), Database::Access::write),
+      readers_(data.database()),
       queue_(database_, clock, lease) {
   take_over();
 }
@@ -109,12 +110,6 @@ Issues Service::retry_at(const std::string& study_id, const nlohmann::json& fide
   Issues issues = replace_failed(database_, study_id, fidelity);
   changed_();
   return issues;
-}
-
-Database Service::reader() const {
-  Database database(data_.database(), Database::Access::read);
-  database.execute_script("BEGIN");
-  return database;
 }
 
 void Service::drain() { draining_ = true; }

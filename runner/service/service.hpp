@@ -13,6 +13,7 @@
 #include "runner/queue/clock.hpp"
 #include "runner/queue/database.hpp"
 #include "runner/queue/job_queue.hpp"
+#include "runner/queue/readers.hpp"
 #include "runner/results/history.hpp"
 #include "runner/service/data_directory.hpp"
 #include "runner/service/outcome.hpp"
@@ -38,7 +39,7 @@ class Service {
           std::chrono::milliseconds lease = JobQueue::kLease);
 
   // From any thread:
-  Database reader() const;  ///< sees one moment, as long as it lives
+  Readers::Reader reader() { return readers_.take(); }
   /// Safe on the disk on return; those that wait for the disk at the same time are written together.
   /// \param key  of an Idempotency-Key, or ""; throws KeyReused if it came with another study before
   Submission submit(const Study& study, const std::string& key = "");
@@ -123,6 +124,7 @@ class Service {
   std::vector<Waiting*> waiting_;
   std::mutex writing_;  ///< guards database_ and queue_
   Database database_;
+  Readers readers_;
   JobQueue queue_;
   std::vector<Run> runs_;
   bool draining_ = false;

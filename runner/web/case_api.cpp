@@ -18,8 +18,8 @@ bool wants_csv(const Request& request) {
 }  // namespace
 
 Response get_case(Service& service, const Request&, const std::string& id) {
-  Database database = service.reader();
-  auto found = find_case(database, id);
+  const Readers::Reader database = service.reader();
+  auto found = find_case(*database, id);
   if (!found) return no_such_case(id);
   const std::string self = "/v1/cases/" + id;
   (*found)["links"] = {{"self", self}, {"history", self + "/history"}};
@@ -27,14 +27,14 @@ Response get_case(Service& service, const Request&, const std::string& id) {
 }
 
 Response get_case_why(Service& service, const Request&, const std::string& id) {
-  Database database = service.reader();
-  const auto reasons = why(database, id, service.cores(), service.why_nothing_starts());
+  const Readers::Reader database = service.reader();
+  const auto reasons = why(*database, id, service.cores(), service.why_nothing_starts());
   return reasons ? json_response(200, *reasons) : no_such_case(id);
 }
 
 Response get_case_history(Service& service, const Request& request, const std::string& id) {
-  Database database = service.reader();
-  const auto history = find_history(database, id);
+  const Readers::Reader database = service.reader();
+  const auto history = find_history(*database, id);
   if (!history) return no_such_case(id);
   return wants_csv(request) ? csv_response(as_csv(history_table(*history))) : json_response(200, *history);
 }

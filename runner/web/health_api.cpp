@@ -25,7 +25,7 @@ Response get_health(Service& service, const Request&, const std::string&) {
 /// full.
 Response get_readiness(Service& service, const Request&, const std::string&) try {
   constexpr std::uintmax_t kLeast = 100'000'000;  // bytes
-  Database database = service.reader();
+  Database database(service.data().database(), Database::Access::read);  // opened anew: is it still there?
   database.query("SELECT 1 FROM schedule").step();
   for (const auto& path : {service.data().path(), service.data().database()})
     if (access(path.c_str(), W_OK) != 0)
@@ -38,10 +38,10 @@ Response get_readiness(Service& service, const Request&, const std::string&) try
 }
 
 Response get_metrics(Service& service, const Request&, const std::string&) {
-  Database database = service.reader();
+  const Readers::Reader database = service.reader();
   return {200,
           "text/plain; version=0.0.4; charset=utf-8",
-          metrics_text(database, service.cores()) + traffic().metrics_text(),
+          metrics_text(*database, service.cores()) + traffic().metrics_text(),
           {}};
 }
 

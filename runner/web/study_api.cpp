@@ -33,8 +33,8 @@ Response post_study(Service& service, const Request& request, const std::string&
                    count + (count == "1" ? " fault" : " faults") + ", nothing was queued", parsed.issues);
   }
   const Submission submission = service.submit(*parsed.value, request.idempotency_key);
-  Database database = service.reader();
-  const ordered_json study = with_links(*find_study(database, submission.study_id));
+  const Readers::Reader database = service.reader();
+  const ordered_json study = with_links(*find_study(*database, submission.study_id));
   Response response = json_response(submission.is_new ? 201 : 200, study);
   response.headers["Location"] = study["links"]["self"];
   return response;
@@ -43,16 +43,16 @@ Response post_study(Service& service, const Request& request, const std::string&
 Response get_studies(Service& service, const Request& request, const std::string&) {
   const PageQuery page = read_page_query(request);
   if (!page.issues.empty()) return problem(400, "Invalid page", "the query names no page", page.issues);
-  Database database = service.reader();
-  const Page found = list_studies(database, page.wanted);
+  const Readers::Reader database = service.reader();
+  const Page found = list_studies(*database, page.wanted);
   ordered_json studies = ordered_json::array();
   for (const ordered_json& study : found.items) studies.push_back(with_links(study));
   return json_response(200, with_next({{"studies", studies}}, found, page));
 }
 
 Response get_study(Service& service, const Request&, const std::string& id) {
-  Database database = service.reader();
-  const auto study = find_study(database, id);
+  const Readers::Reader database = service.reader();
+  const auto study = find_study(*database, id);
   return study ? json_response(200, with_links(*study)) : no_such_study(id);
 }
 
@@ -61,18 +61,18 @@ Response get_study_cases(Service& service, const Request& request, const std::st
   for (Issue& issue : check_filter(page.rest)) page.issues.push_back(std::move(issue));
   if (!page.issues.empty())
     return problem(400, "Invalid filter", "the query does not select cases", page.issues);
-  Database database = service.reader();
-  if (!find_study(database, id)) return no_such_study(id);
-  const Page found = find_cases(database, id, page.rest, page.wanted);
+  const Readers::Reader database = service.reader();
+  if (!find_study(*database, id)) return no_such_study(id);
+  const Page found = find_cases(*database, id, page.rest, page.wanted);
   return json_response(200, with_next({{"study", id}, {"cases", found.items}}, found, page));
 }
 
 Response get_phase_diagram(Service& service, const Request& request, const std::string& id) {
-  Database database = service.reader();
-  const auto study = find_study(database, id);
+  const Readers::Reader database = service.reader();
+  const auto study = find_study(*database, id);
   if (!study) return no_such_study(id);
   const auto diagram =
-      phase_diagram(*study, find_points(database, id), query_value(request, "x"), query_value(request, "y"));
+      phase_diagram(*study, find_points(*database, id), query_value(request, "x"), query_value(request, "y"));
   if (!diagram) return problem(404, "Not found", "the study has no such axes to draw a phase diagram over");
   return json_response(200, to_json(*diagram));
 }

@@ -20,9 +20,12 @@ std::string sha256_hex(std::string_view bytes) {
   return hex;
 }
 
-std::string case_id(const Case& c) {
-  const std::string canonical = to_json(c).dump();  // shortest round-trip decimals
-  return sha256_hex("capstan numerics " + std::to_string(kNumericsVersion) + "\n" + canonical).substr(0, 16);
+CanonicalCase canonical(const Case& c) {
+  std::string document = to_json(c).dump();  // shortest round-trip decimals
+  const std::string version = "capstan numerics " + std::to_string(kNumericsVersion) + "\n";
+  return {sha256_hex(version + document).substr(0, 16), std::move(document)};
 }
+
+std::string case_id(const Case& c) { return canonical(c).id; }
 
 }  // namespace capstan

@@ -10,7 +10,14 @@ namespace capstan {
 /// Raised whenever the solver's results change for the same case.
 inline constexpr int kNumericsVersion = 3;
 
-/// SHA-256 over the canonical case and the numerics version; the first 16 hexadecimal digits.
+/// A case as it is stored: equal cases have equal documents.
+struct CanonicalCase {
+  std::string id;        ///< SHA-256 over the numerics version and the document; 16 hexadecimal digits
+  std::string document;  ///< JSON
+};
+CanonicalCase canonical(const Case& c);
+
+/// The id alone.
 std::string case_id(const Case& c);
 
 /// SHA-256, 64 hexadecimal digits.

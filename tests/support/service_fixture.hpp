@@ -34,12 +34,12 @@ class ServiceFixture : public testing::Test {
   }
 
   nlohmann::ordered_json study(const std::string& id) {
-    Database reader = service_->reader();
-    return find_study(reader, id).value();
+    const Readers::Reader reader = service_->reader();
+    return find_study(*reader, id).value();
   }
   nlohmann::ordered_json cases(const std::string& id, const CaseFilter& filter = {}) {
-    Database reader = service_->reader();
-    return find_cases(reader, id, filter, {}).items;
+    const Readers::Reader reader = service_->reader();
+    return find_cases(*reader, id, filter, {}).items;
   }
 
   TemporaryDirectory directory_;

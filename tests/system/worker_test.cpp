@@ -1,6 +1,7 @@
 // Runs that go astray, with real processes: stopped past their lease, too large, too long.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -28,10 +29,14 @@ class WorkerTest : public testing::Test {
     const ordered_json cases = client.get("/v1/studies/" + id + "/cases");
     return client.get("/v1/cases/" + cases["cases"][0]["id"].get<std::string>());
   }
+  /// A case is running from its claim on; its process is known a little later.
   ProcessIdentity process_of_the_run() {
     Database database(data_.path() / "capstan.sqlite", Database::Access::read);
-    Statement row = database.query("SELECT handle FROM attempts WHERE handle <> '' AND ended_at IS NULL");
-    return row.step() ? process_from_text(row.text(0)).value() : ProcessIdentity{};
+    for (int i = 0; i < 500; ++i, usleep(10000)) {
+      Statement row = database.query("SELECT handle FROM attempts WHERE handle <> '' AND ended_at IS NULL");
+      if (row.step()) return process_from_text(row.text(0)).value();
+    }
+    return {};
   }
 
   TemporaryDirectory data_;

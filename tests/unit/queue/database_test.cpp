@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "runner/queue/job_queue.hpp"
+#include "runner/queue/readers.hpp"
 #include "runner/queue/schema.hpp"
 #include "runner/results/queries.hpp"
 
@@ -70,6 +71,27 @@ TEST_F(DatabaseTest, ReaderSeesTheLastCommitWhileTheWriterWrites) {
 TEST_F(DatabaseTest, ReaderCannotWrite) {
   Database reader(file_, Database::Access::read);
   EXPECT_THROW(reader.execute("DELETE FROM cases"), DatabaseError);
+}
+
+TEST_F(DatabaseTest, ReaderSeesOneMomentAndWhoTakesItNextTheNext) {
+  Readers readers(file_);
+  const auto count = [](Database& database) {
+    Statement row = database.query("SELECT count(*) FROM cases");
+    row.step();
+    return row.integer(0);
+  };
+  const Database* first = nullptr;
+  {
+    const Readers::Reader reader = readers.take();
+    first = reader.get();
+    EXPECT_EQ(count(*reader), 0);
+    database_.execute("INSERT INTO cases (id, document) VALUES ('a', '{}')");
+    EXPECT_EQ(count(*reader), 0);
+    EXPECT_EQ(count(*readers.take()), 1) << "another one, taken meanwhile";
+  }
+  const Readers::Reader again = readers.take();
+  EXPECT_EQ(again.get(), first) << "it was not opened anew";
+  EXPECT_EQ(count(*again), 1);
 }
 
 TEST_F(DatabaseTest, CommitsAreSyncedToTheDisk) {

@@ -84,8 +84,8 @@ TEST_F(ServiceTest, RecordedHistoryIsTheFileAsTheLastAttemptLeftIt) {
   write_history("run 1", "{\"kt\":1}\n{\"kt\":2.5}\n");
   complete("run 1", "tumbling");
   service_->tick();
-  Database reader = service_->reader();
-  EXPECT_EQ(find_history(reader, cases(id)[0]["id"]).value()["kt"], nlohmann::ordered_json({1.0, 2.5}));
+  const Readers::Reader reader = service_->reader();
+  EXPECT_EQ(find_history(*reader, cases(id)[0]["id"]).value()["kt"], nlohmann::ordered_json({1.0, 2.5}));
 }
 
 TEST_F(ServiceTest, SameStudyAgainStartsNothing) {
@@ -311,8 +311,8 @@ TEST_F(ServiceTest, StudiesSubmittedAtOnceAreAllKept) {
         service_->submit(sample_study("study", {{"Ca", {0.1 + client, 0.101 + 0.001 * i}}}));
     });
   for (std::thread& client : clients) client.join();
-  Database reader = service_->reader();
-  EXPECT_EQ(list_studies(reader, {}).items.size(), 160u);
+  const Readers::Reader reader = service_->reader();
+  EXPECT_EQ(list_studies(*reader, {}).items.size(), 160u);
 }
 
 TEST_F(ServiceTest, ReusedKeyIsRefusedAndConcernsNobodyElse) {
@@ -328,8 +328,8 @@ TEST_F(ServiceTest, ReusedKeyIsRefusedAndConcernsNobodyElse) {
     });
   for (std::thread& client : clients) client.join();
   EXPECT_EQ(refused, 3);
-  Database reader = service_->reader();
-  EXPECT_EQ(list_studies(reader, {}).items.size(), 5u);
+  const Readers::Reader reader = service_->reader();
+  EXPECT_EQ(list_studies(*reader, {}).items.size(), 5u);
 }
 
 TEST_F(ServiceTest, FailedAndDivergedCasesAreReplacedByFinerOnes) {
@@ -373,8 +373,8 @@ TEST_F(ServiceTest, QueuedCaseOfAnEarlierNumericsVersionIsReplacedAtTheStart) {
   EXPECT_EQ(study(id)["cases"]["queued"], 1);
   service_->tick();
   EXPECT_EQ(cases(id)[0]["state"], "running");
-  Database reader = service_->reader();
-  EXPECT_EQ(find_case(reader, earlier).value()["state"], "cancelled");
+  const Readers::Reader reader = service_->reader();
+  EXPECT_EQ(find_case(*reader, earlier).value()["state"], "cancelled");
 }
 
 TEST_F(ServiceTest, NothingIsStartedOnAFullDiskAndWhySaysSo) {

@@ -15,8 +15,8 @@ using testing::StartsWith;
 class StudyEventsTest : public ServiceFixture {
  protected:
   std::optional<std::string> next(StudyEvents& events) {
-    Database database = service_->reader();
-    return events.next(database, clock_.now());
+    const Readers::Reader database = service_->reader();
+    return events.next(*database, clock_.now());
   }
   std::string id_in(const std::string& text) {
     const std::size_t begin = text.find("\nid: ") + 5;

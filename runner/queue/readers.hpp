@@ -1,0 +1,34 @@
+#pragma once
+// Connections for reading that stay open: to open one takes longer than most questions.
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "runner/queue/database.hpp"
+
+namespace capstan {
+
+class Readers {
+ public:
+  explicit Readers(std::filesystem::path database) : file_(std::move(database)) {}
+
+  struct GiveBack {
+    Readers* readers;
+    void operator()(Database* database) const { readers->give_back(database); }
+  };
+  /// Sees one moment, that of its first query, as long as it is held.
+  using Reader = std::unique_ptr<Database, GiveBack>;
+
+  /// From any thread; as many as are asked for.
+  Reader take();
+
+ private:
+  void give_back(Database* database);
+
+  const std::filesystem::path file_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Database>> idle_;
+};
+
+}  // namespace capstan
