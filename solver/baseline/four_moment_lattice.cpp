@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/fluid/vector_units.hpp"
+
 namespace capstan {
 
 using d3q19::e;
@@ -75,7 +77,6 @@ template <class Real>
   for (std::ptrdiff_t i = first; i < count; ++i) stream_cell(near, to, i);
 }
 
-#define CAPSTAN_VECTOR_UNITS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 CAPSTAN_VECTOR_UNITS void stream(const Neighbours<double>& near, double* to, int count) {
   stream_row(near, to, count);
 }

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "solver/fluid/vector_units.hpp"
+
 namespace capstan {
 namespace {
 
-__attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"))) void scale_part(
-    double* numbers, std::size_t count) {
+CAPSTAN_VECTOR_UNITS void scale_part(double* numbers, std::size_t count) {
   constexpr double kFactor = 0.99999999;  // far from denormal numbers for as long as anyone measures
   for (std::size_t i = 0; i < count; ++i) numbers[i] *= kFactor;
 }

@@ -43,7 +43,7 @@ struct Until {
 struct Outputs {
   double history_every = 0.1;
   double shapes_every = 1;
-  int checkpoint_every = 50;  ///< steps
+  int checkpoint_every = 250;  ///< steps
   bool operator==(const Outputs&) const = default;
 };
 

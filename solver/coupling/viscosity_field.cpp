@@ -18,7 +18,7 @@ double smoothed_heaviside(double distance_in_cells) {
 // is on the side of the last cell that was in it.
 void ViscosityField::update(const Points& positions, double ambient, double inner, ScalarBox& viscosity) {
   normals_ = vertex_normals(positions, mesh_.faces);
-  curvature_ = mean_curvature(mesh_, positions).cwiseMax(-1 / grid_.dx).cwiseMin(1 / grid_.dx);
+  curvature_ = mean_curvature(mesh_.faces, positions, normals_).cwiseMax(-1 / grid_.dx).cwiseMin(1 / grid_.dx);
   find_nearest_vertices(positions, viscosity);
   std::size_t cell = 0;
   viscosity.for_each_row([&](int y, int z) {

@@ -8,7 +8,7 @@ namespace capstan {
 void HelfrichLiteralBending::add_forces(const Points& positions, Points& forces) const {
   const QuadricFit surface = fit_quadrics(mesh_, positions);
   const Scalars kappa = -surface.mean;
-  const Eigen::ArrayXd laplacian = laplace_beltrami(mesh_, positions, kappa);
+  const Eigen::ArrayXd laplacian = laplace_beltrami(mesh_.faces, positions, kappa);
   const Eigen::ArrayXd voronoi = mixed_areas(positions, mesh_.faces);
   const auto k = kappa.array(), K = surface.gaussian.array(), c0 = spontaneous_curvature_.array();
   const Eigen::ArrayXd density =

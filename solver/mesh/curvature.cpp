@@ -1,84 +1,77 @@
 #include "solver/mesh/curvature.hpp"
 
-#include "solver/mesh/geometry.hpp"
+#include <array>
 
 namespace capstan {
 namespace {
 
-struct Corner {
-  Vec3 side1, side2;  ///< from the corner to the next two, counter-clockwise
+/// One face, all that the cotangent formula asks of it.
+struct CotangentFace {
+  std::array<Vec3, 3> opposite;  ///< of each corner the side that it looks at, counter-clockwise
+  Vec3 cotangents;               ///< of the corners' angles
+  double area;
 
-  Corner(const Points& x, const Eigen::Vector3i& face, int corner)
-      : side1(x.col(face[(corner + 1) % 3]) - x.col(face[corner])),
-        side2(x.col(face[(corner + 2) % 3]) - x.col(face[corner])) {}
-
-  double dot() const { return side1.dot(side2); }
-  double cross() const { return side1.cross(side2).norm(); }
-  double cotangent() const { return dot() / cross(); }
-};
-
-/// The share of each corner in the area of one face.
-Vec3 corner_shares(const Points& x, const Eigen::Vector3i& face) {
-  Vec3 squared_opposite, cotangents;
-  double area = 0;
-  for (int corner : {0, 1, 2}) {
-    const Corner here(x, face, corner);
-    squared_opposite[corner] = (here.side2 - here.side1).squaredNorm();
-    cotangents[corner] = here.cotangent();
-    area = here.cross() / 2;
+  CotangentFace(const Points& x, const Eigen::Vector3i& face) {
+    for (int corner : {0, 1, 2})
+      opposite[corner] = x.col(face[(corner + 2) % 3]) - x.col(face[(corner + 1) % 3]);
+    const double twice_area = opposite[0].cross(opposite[1]).norm();
+    for (int corner : {0, 1, 2})
+      cotangents[corner] = -opposite[(corner + 1) % 3].dot(opposite[(corner + 2) % 3]) / twice_area;
+    area = twice_area / 2;
   }
-  for (int obtuse : {0, 1, 2})
-    if (cotangents[obtuse] < 0) {
-      Vec3 shares = Vec3::Constant(area / 4);
-      shares[obtuse] = area / 2;
-      return shares;
-    }
-  const Vec3 by_side = squared_opposite.cwiseProduct(cotangents) / 8;
-  return Vec3::Constant(by_side.sum()) - by_side;
-}
+
+  /// The share of each corner in the area.
+  Vec3 shares() const {
+    for (int obtuse : {0, 1, 2})
+      if (cotangents[obtuse] < 0) {
+        Vec3 shares = Vec3::Constant(area / 4);
+        shares[obtuse] = area / 2;
+        return shares;
+      }
+    Vec3 by_side;
+    for (int corner : {0, 1, 2}) by_side[corner] = opposite[corner].squaredNorm() * cotangents[corner] / 8;
+    return Vec3::Constant(by_side.sum()) - by_side;
+  }
+};
 
 }  // namespace
 
 Scalars mixed_areas(const Points& positions, const Faces& faces) {
   Scalars areas = Scalars::Zero(positions.cols());
   for (const auto& face : faces.colwise()) {
-    const Vec3 shares = corner_shares(positions, face);
+    const Vec3 shares = CotangentFace(positions, face).shares();
     for (int corner : {0, 1, 2}) areas[face[corner]] += shares[corner];
   }
   return areas;
 }
 
-Scalars cotangent_weights(const TriangleMesh& mesh, const Points& positions) {
-  Scalars weights = Scalars::Zero(static_cast<Eigen::Index>(mesh.edges.size()));
-  for (size_t e = 0; e < mesh.edges.size(); ++e) {
-    const auto& [ends, opposite, faces] = mesh.edges[e];
-    for (int side : {0, 1}) {
-      const Eigen::Vector3i from_opposite(opposite[side], ends[side], ends[1 - side]);
-      weights[e] += Corner(positions, from_opposite, 0).cotangent() / 2;
+Scalars laplace_beltrami(const Faces& faces, const Points& positions, const Scalars& values) {
+  Scalars flux = Scalars::Zero(values.size());
+  for (const auto& face : faces.colwise()) {
+    const Vec3 cotangents = CotangentFace(positions, face).cotangents;
+    for (int corner : {0, 1, 2}) {
+      const int i = face[(corner + 1) % 3], j = face[(corner + 2) % 3];
+      const double flow = cotangents[corner] / 2 * (values[j] - values[i]);
+      flux[i] += flow, flux[j] -= flow;
     }
   }
-  return weights;
+  return flux.cwiseQuotient(mixed_areas(positions, faces));
 }
 
-Scalars laplace_beltrami(const TriangleMesh& mesh, const Points& positions, const Scalars& values) {
-  const Scalars weights = cotangent_weights(mesh, positions);
-  Scalars flux = Scalars::Zero(values.size());
-  for (size_t e = 0; e < mesh.edges.size(); ++e) {
-    const auto [i, j] = mesh.edges[e].vertices;
-    flux[i] += weights[e] * (values[j] - values[i]);
-    flux[j] += weights[e] * (values[i] - values[j]);
+// The Laplacian of all three coordinates at once, and the areas with it.
+Scalars mean_curvature(const Faces& faces, const Points& positions, const Points& normals) {
+  Points flux = Points::Zero(3, positions.cols());
+  Scalars areas = Scalars::Zero(positions.cols());
+  for (const auto& face : faces.colwise()) {
+    const CotangentFace here(positions, face);
+    const Vec3 shares = here.shares();
+    for (int corner : {0, 1, 2}) {
+      const Vec3 flow = here.cotangents[corner] / 2 * here.opposite[corner];
+      flux.col(face[(corner + 1) % 3]) += flow, flux.col(face[(corner + 2) % 3]) -= flow;
+      areas[face[corner]] += shares[corner];
+    }
   }
-  return flux.cwiseQuotient(mixed_areas(positions, mesh.faces));
-}
-
-Scalars mean_curvature(const TriangleMesh& mesh, const Points& positions) {
-  const Points normals = vertex_normals(positions, mesh.faces);
-  Scalars twice = Scalars::Zero(positions.cols());
-  for (int axis : {0, 1, 2}) {
-    const Scalars laplacian = laplace_beltrami(mesh, positions, positions.row(axis));
-    twice -= laplacian.cwiseProduct(normals.row(axis).transpose());
-  }
-  return twice / 2;
+  return -flux.cwiseProduct(normals).colwise().sum().transpose().cwiseQuotient(2 * areas);
 }
 
 }  // namespace capstan

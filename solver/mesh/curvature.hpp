@@ -9,15 +9,14 @@ namespace capstan {
 /// obtuse triangles (Meyer et al. 2003); the parts sum up to the area.
 Scalars mixed_areas(const Points& positions, const Faces& faces);
 
-/// #E: (cot alpha + cot beta)/2, alpha and beta the angles opposite to each edge.
-Scalars cotangent_weights(const TriangleMesh& mesh, const Points& positions);
-
 /// The Laplace-Beltrami operator on a vertex function, by the cotangent formula:
-///   (Delta f)_i = 1/A_i sum_j (cot alpha + cot beta)/2 (f_j - f_i),   A_i the mixed area.
+///   (Delta f)_i = 1/A_i sum_j (cot alpha + cot beta)/2 (f_j - f_i),
+/// alpha and beta the angles opposite to the edge, A_i the mixed area.
 /// Differs from the paper: eq. 32 is printed with f_i - f_j, which is the negative of the operator.
-Scalars laplace_beltrami(const TriangleMesh& mesh, const Points& positions, const Scalars& values);
+Scalars laplace_beltrami(const Faces& faces, const Points& positions, const Scalars& values);
 
 /// H of each vertex from the cotangent formula:  Delta x = -2 H n.
-Scalars mean_curvature(const TriangleMesh& mesh, const Points& positions);
+/// \param normals unit ones at the vertices
+Scalars mean_curvature(const Faces& faces, const Points& positions, const Points& normals);
 
 }  // namespace capstan

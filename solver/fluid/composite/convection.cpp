@@ -2,45 +2,64 @@
 
 #include "solver/fluid/composite/for_each_row.hpp"
 #include "solver/fluid/composite/sweep.hpp"
+#include "solver/fluid/vector_units.hpp"
 
 namespace capstan {
 namespace {
 
 template <class T>
 struct Row {
-  const T* g;  ///< of one component, at the row's first cell
-  std::ptrdiff_t y, z;
+  const T* moments;  ///< at the row's first cell, as the next two
+  const T* defect;
+  T* out;
+  Strides strides;
+  int count;
+  T half_inertia, shear, shear_step;  ///< shear: of the undisturbed flow in this row
 };
 
 /// (u . grad) of one component in one cell, times 2.
 template <class T>
-[[gnu::always_inline]] inline T carried(const Row<T>& row, int i, T ux, T uy, T uz) {
-  return ux * (row.g[i + 1] - row.g[i - 1]) + uy * (row.g[i + row.y] - row.g[i - row.y]) +
-         uz * (row.g[i + row.z] - row.g[i - row.z]);
+[[gnu::always_inline]] inline T carried(const T* g, const Strides& s, int i, T ux, T uy, T uz) {
+  return ux * (g[i + 1] - g[i - 1]) + uy * (g[i + s.y] - g[i - s.y]) + uz * (g[i + s.z] - g[i - s.z]);
 }
+
+template <class T>
+[[gnu::always_inline]] inline void subtract_row(const Row<T>& row) {
+  const Strides& s = row.strides;
+  const T *gx = row.moments + kGx * s.component, *gy = row.moments + kGy * s.component,
+          *gz = row.moments + kGz * s.component;
+#pragma GCC ivdep
+  for (int i = 0; i < row.count; ++i) {
+    const T ux = row.shear + gx[i], uy = gy[i], uz = gz[i];
+    const auto subtract = [&](int k, T twice) {
+      const std::ptrdiff_t at = i + k * s.component;
+      row.out[at] = row.defect[at] - row.half_inertia * twice;
+    };
+    row.out[i] = row.defect[i];
+    subtract(kGx, carried(gx, s, i, ux, uy, uz) + uy * row.shear_step);
+    subtract(kGy, carried(gy, s, i, ux, uy, uz));
+    subtract(kGz, carried(gz, s, i, ux, uy, uz));
+  }
+}
+CAPSTAN_VECTOR_UNITS void subtract(const Row<float>& row) { subtract_row(row); }
+CAPSTAN_VECTOR_UNITS void subtract(const Row<double>& row) { subtract_row(row); }
 
 }  // namespace
 
 template <class T>
-void add_convection(const RowField<T>& moments, double dx, double inertia, RowField<T>& defect) {
+void subtract_convection(const RowField<T>& moments, double dx, double inertia, const RowField<T>& defect,
+                         RowField<T>& out) {
   const IndexBox& box = moments.box();
-  const std::ptrdiff_t y_stride = moments.y_stride(), z_stride = moments.z_stride();
-  const T half = T(inertia / 2), shear_step = T(2 * dx);
+  const Strides strides{moments.component_stride(), moments.y_stride(), moments.z_stride()};
   for_each_row(box, [&](int y, int z) {
-    const Row<T> gx{moments.row(kGx, y, z), y_stride, z_stride},
-        gy{moments.row(kGy, y, z), y_stride, z_stride}, gz{moments.row(kGz, y, z), y_stride, z_stride};
-    T *dgx = defect.row(kGx, y, z), *dgy = defect.row(kGy, y, z), *dgz = defect.row(kGz, y, z);
-    const T shear = T((y + 0.5) * dx);
-    for (int i = 0; i < box.size(0); ++i) {
-      const T ux = shear + gx.g[i], uy = gy.g[i], uz = gz.g[i];
-      dgx[i] -= half * (carried(gx, i, ux, uy, uz) + uy * shear_step);
-      dgy[i] -= half * carried(gy, i, ux, uy, uz);
-      dgz[i] -= half * carried(gz, i, ux, uy, uz);
-    }
+    subtract(Row<T>{moments.row(kRho, y, z), defect.row(kRho, y, z), out.row(kRho, y, z), strides,
+                    box.size(0), T(inertia / 2), T((y + 0.5) * dx), T(2 * dx)});
   });
 }
 
-template void add_convection(const RowField<float>&, double, double, RowField<float>&);
-template void add_convection(const RowField<double>&, double, double, RowField<double>&);
+template void subtract_convection(const RowField<float>&, double, double, const RowField<float>&,
+                                  RowField<float>&);
+template void subtract_convection(const RowField<double>&, double, double, const RowField<double>&,
+                                  RowField<double>&);
 
 }  // namespace capstan

@@ -5,11 +5,12 @@
 
 namespace capstan {
 
-/// defect -= inertia (u . grad) u, differences over one cell on either side.
+/// out = defect - inertia (u . grad) u, differences over one cell on either side; `out` may be `defect`.
 /// \param moments   deviation from the shear flow (y, 0, 0), ghosts filled
 /// \param dx        spacing / a
 /// \param inertia   Re nu dx / a, nu = 1/6: the velocity of a k in lattice units
 template <class T>
-void add_convection(const RowField<T>& moments, double dx, double inertia, RowField<T>& defect);
+void subtract_convection(const RowField<T>& moments, double dx, double inertia, const RowField<T>& defect,
+                         RowField<T>& out);
 
 }  // namespace capstan

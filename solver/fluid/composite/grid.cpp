@@ -28,14 +28,6 @@ Strides strides_of(const RowField<T>& field) {
   return {field.component_stride(), field.y_stride(), field.z_stride()};
 }
 
-/// start <- now - start
-template <class T>
-void subtract(const RowField<T>& now, RowField<T>& start) {
-  const auto a = now.data();
-  const auto b = start.data();
-  for (std::size_t i = 0; i < b.size(); ++i) b[i] = a[i] - b[i];
-}
-
 }  // namespace
 
 template <class T>
@@ -69,10 +61,7 @@ template <class T>
 void Grid<T>::sweep(double keep, double blend, double p_keep, double p_blend) {
   fill_ghosts(f_, rules_, kMomentParity);
   if (stress_) stress_->update_q();
-  if (inertia_ > 0) {
-    with_inertia_ = defect_;
-    add_convection(f_, dx_, inertia_, with_inertia_);
-  }
+  if (inertia_ > 0) subtract_convection(f_, dx_, inertia_, defect_, with_inertia_);
   const RowField<T>& defect = inertia_ > 0 ? with_inertia_ : defect_;
   for_each_row(box(), [&](int y, int z) {
     FluidRow<T> row{f_.row(0, y, z), defect.row(0, y, z), out_.row(0, y, z),
@@ -168,10 +157,10 @@ void Grid<T>::correct_from(Grid& coarse) {
 template <class T>
 void Grid<T>::take_change() {
   fill_ghosts(f_, rules_, kMomentParity);
-  subtract(f_, start_);
+  take_difference(f_, start_);
   if (!stress_) return;
   fill_ghosts(stress_->p, rules_, kStressParity);
-  subtract(stress_->p, stress_->start);
+  take_difference(stress_->p, stress_->start);
 }
 
 template <class T>
@@ -218,9 +207,10 @@ void Grid<T>::set_convection(double Re) {
   constexpr double kMostKept = 0.5;
   const double inertia = Re * kAmbientViscosity * dx_, h = dx_ * box().hi[1];
   inertia_ = Re * h * h > kMostKept ? inertia : 0;
+  if (inertia_ > 0 && with_inertia_.empty()) with_inertia_ = defect_;
   if (inertia_ > 0 || Re == 0) return;
   fill_ghosts(f_, rules_, kMomentParity);
-  add_convection(f_, dx_, inertia, defect_);
+  subtract_convection(f_, dx_, inertia, defect_, defect_);
 }
 
 template <class T>

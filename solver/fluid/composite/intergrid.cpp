@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "solver/fluid/composite/for_each_row.hpp"
-
-#define CAPSTAN_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#include "solver/fluid/vector_units.hpp"
 
 namespace capstan {
 namespace {
@@ -30,10 +29,10 @@ template <class T>
     out[i] = factor * ((a[2 * i] + a[2 * i + 1]) + (b[2 * i] + b[2 * i + 1]) + (c[2 * i] + c[2 * i + 1]) +
                        (d[2 * i] + d[2 * i + 1]));
 }
-CAPSTAN_CLONES void average(const std::array<const float*, 4>& r, float* out, int n, float f) {
+CAPSTAN_VECTOR_UNITS void average(const std::array<const float*, 4>& r, float* out, int n, float f) {
   average_row(r, out, n, f);
 }
-CAPSTAN_CLONES void average(const std::array<const double*, 4>& r, double* out, int n, double f) {
+CAPSTAN_VECTOR_UNITS void average(const std::array<const double*, 4>& r, double* out, int n, double f) {
   average_row(r, out, n, f);
 }
 
@@ -56,10 +55,10 @@ template <class T>
     }
   }
 }
-CAPSTAN_CLONES void add_row(const std::array<const float*, 4>& r, float* out, int n, float f) {
+CAPSTAN_VECTOR_UNITS void add_row(const std::array<const float*, 4>& r, float* out, int n, float f) {
   add_linear_row(r, out, n, f);
 }
-CAPSTAN_CLONES void add_row(const std::array<const double*, 4>& r, double* out, int n, double f) {
+CAPSTAN_VECTOR_UNITS void add_row(const std::array<const double*, 4>& r, double* out, int n, double f) {
   add_linear_row(r, out, n, f);
 }
 

@@ -70,14 +70,10 @@ void copy_cells(const RowField<T>& from, RowField<T>& to) {
 
 /// now <- now + weight (now - before), before <- now.
 template <class T>
-void extrapolate_field(RowField<T>& now, RowField<T>& before, double weight) {
-  T* __restrict a = now.data().data();
-  T* __restrict b = before.data().data();
-  for (std::size_t i = 0; i < now.data().size(); ++i) {
-    const T at_this_time = a[i];
-    a[i] += T(weight) * (at_this_time - b[i]);
-    b[i] = at_this_time;
-  }
-}
+void extrapolate_field(RowField<T>& now, RowField<T>& before, double weight);
+
+/// start <- now - start.
+template <class T>
+void take_difference(const RowField<T>& now, RowField<T>& start);
 
 }  // namespace capstan

@@ -5,6 +5,7 @@
 
 #include "solver/fluid/composite/intergrid.hpp"
 #include "solver/fluid/composite/sweep.hpp"
+#include "solver/fluid/vector_units.hpp"
 
 namespace capstan {
 namespace {
@@ -19,6 +20,21 @@ RowSpan united(const RowSpan& a, const RowSpan& b) {
 
 IndexBox row_box(const IndexBox& box, const RowSpan& span, int y, int z) {
   return {{box.lo[0] + span.first, y, z}, {box.lo[0] + span.last, y + 1, z + 1}};
+}
+
+/// q = c (p + undisturbed) in a row's span.
+template <class T>
+[[gnu::always_inline]] inline void weigh_row(const T* __restrict c, const T* __restrict p, T* __restrict q,
+                                             const RowSpan& span, T undisturbed) {
+  for (int i = span.first; i < span.last; ++i) q[i] = c[i] * (p[i] + undisturbed);
+}
+CAPSTAN_VECTOR_UNITS void weigh(const float* c, const float* p, float* q, const RowSpan& span,
+                                float undisturbed) {
+  weigh_row(c, p, q, span, undisturbed);
+}
+CAPSTAN_VECTOR_UNITS void weigh(const double* c, const double* p, double* q, const RowSpan& span,
+                                double undisturbed) {
+  weigh_row(c, p, q, span, undisturbed);
 }
 
 }  // namespace
@@ -86,8 +102,8 @@ void StressField<T>::clear_outside(const std::vector<RowSpan>& spans) {
     for (RowField<T>* field : {&p, &out, &start, &defect, &q, &before})
       for (int k = 0; k < kStresses; ++k) {
         T* row = field->row(k, y, z);
-        for (int i = old.first; i < old.last; ++i)
-          if (i < now.first || i >= now.last) row[i] = 0;
+        std::fill(row + old.first, row + std::clamp(now.first, old.first, old.last), T(0));
+        std::fill(row + std::clamp(now.last, old.first, old.last), row + old.last, T(0));
       }
   });
   spans_ = spans;
@@ -105,12 +121,8 @@ template <class T>
 void StressField<T>::update_q() {
   for_each_span([&](const RowSpan& span, int y, int z) {
     const T* contrast = c.row(0, y, z);
-    for (int k = 0; k < kStresses; ++k) {
-      const T* stress = p.row(k, y, z);
-      const T undisturbed = k == kXY ? couette_stress_ : T(0);
-      T* row = q.row(k, y, z);
-      for (int i = span.first; i < span.last; ++i) row[i] = contrast[i] * (stress[i] + undisturbed);
-    }
+    for (int k = 0; k < kStresses; ++k)
+      weigh(contrast, p.row(k, y, z), q.row(k, y, z), span, k == kXY ? couette_stress_ : T(0));
   });
   fill_ghosts(q, rules_, kStressParity);
 }

@@ -5,9 +5,7 @@
 #include <utility>
 
 #include "solver/fluid/lattice/d3q19.hpp"
-
-// One binary for every machine; 256 bits do as much as 512 where the latter are two halves.
-#define CAPSTAN_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#include "solver/fluid/vector_units.hpp"
 
 namespace capstan {
 namespace {
@@ -157,13 +155,13 @@ template <class T, std::size_t... q>
 
 }  // namespace
 
-CAPSTAN_CLONES void sweep_fluid(const FluidRow<float>& row) { sweep_fluid_row(row); }
-CAPSTAN_CLONES void sweep_fluid(const FluidRow<double>& row) { sweep_fluid_row(row); }
+CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<float>& row) { sweep_fluid_row(row); }
+CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<double>& row) { sweep_fluid_row(row); }
 
-CAPSTAN_CLONES void sweep_stress(const StressRow<float>& row) {
+CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<float>& row) {
   sweep_stress_row(row, std::make_index_sequence<d3q19::kQ>());
 }
-CAPSTAN_CLONES void sweep_stress(const StressRow<double>& row) {
+CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<double>& row) {
   sweep_stress_row(row, std::make_index_sequence<d3q19::kQ>());
 }
 

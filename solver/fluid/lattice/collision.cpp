@@ -1,5 +1,7 @@
 #include "solver/fluid/lattice/collision.hpp"
 
+#include "solver/fluid/vector_units.hpp"
+
 namespace capstan {
 namespace {
 
@@ -136,8 +138,6 @@ template <class Real>
 }
 
 }  // namespace
-
-#define CAPSTAN_VECTOR_UNITS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 
 CAPSTAN_VECTOR_UNITS void collide(const CollisionRow<double>& row, const MrtRates& rates, double inertia) {
   collide_row(row, Factors<double>(rates, inertia));

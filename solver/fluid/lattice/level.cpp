@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "solver/fluid/vector_units.hpp"
+
 namespace capstan {
 
 using d3q19::e;
@@ -28,7 +30,7 @@ struct Level::RowBuffer {
 namespace {
 
 /// out = keep f + blend (f_star + defect), n cells; a null defect is zero.
-__attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"))) void blend_row(
+CAPSTAN_VECTOR_UNITS void blend_row(
     double* __restrict out, const double* __restrict f, const double* __restrict f_star,
     const double* __restrict defect, int n, double keep, double blend) {
   if (defect)

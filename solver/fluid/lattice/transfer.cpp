@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "solver/fluid/vector_units.hpp"
+
 namespace capstan {
 namespace {
 
@@ -68,7 +70,7 @@ PopulationMatrix scaling(const MomentFactors& factors, const MrtRates& rates) {
   return matrix;
 }
 
-__attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"))) void multiply_add(
+CAPSTAN_VECTOR_UNITS void multiply_add(
     double* __restrict out, const double* __restrict in, double factor, int n) {
   for (int i = 0; i < n; ++i) out[i] += factor * in[i];
 }
