@@ -1,5 +1,7 @@
 #include "runner/bench/cycle.hpp"
 
+#include <omp.h>
+
 #include <cmath>
 
 #include "runner/bench/bench_table.hpp"
@@ -103,6 +105,7 @@ void print_step(const Scene& scene, bool json) {
 }  // namespace
 
 int bench_cycle(bool json) {
+  omp_set_num_threads(1);
   const Scene scene;
   print_cycles(scene, json);
   print_step(scene, json);

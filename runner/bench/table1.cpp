@@ -1,5 +1,7 @@
 #include "runner/bench/table1.hpp"
 
+#include <omp.h>
+
 #include <cmath>
 
 #include "runner/bench/bench_table.hpp"
@@ -97,6 +99,7 @@ void print_spheres(const Standard& paper, bool json) {
 }  // namespace
 
 int bench_table1(bool json) {
+  omp_set_num_threads(1);
   const Standard paper = with_papers_step(), best = at_its_best();
   print_baselines(paper, best, json);
   print_red_cells(paper, best, json);

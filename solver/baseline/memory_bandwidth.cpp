@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/fluid/vector_units.hpp"
+#include "solver/coupling/vector_units.hpp"
 
 namespace capstan {
 namespace {

@@ -19,14 +19,15 @@ double smoothed_heaviside(double distance_in_cells) {
 void ViscosityField::update(const Points& positions, double ambient, double inner, ScalarBox& viscosity) {
   normals_ = vertex_normals(positions, mesh_.faces);
   curvature_ = mean_curvature(mesh_.faces, positions, normals_).cwiseMax(-1 / grid_.dx).cwiseMin(1 / grid_.dx);
-  find_nearest_vertices(positions, viscosity);
-  std::size_t cell = 0;
+  nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach(positions), viscosity.lo(),
+                viscosity.size());
   viscosity.for_each_row([&](int y, int z) {
     double outside = 1;
-    for (int i = 0; i < viscosity.size()[0]; ++i, ++cell) {
-      const int vertex = nearest_[cell];
+    const int* nearest = nearest_.row(y, z);
+    for (int i = 0; i < viscosity.size()[0]; ++i) {
+      const int vertex = nearest[i];
       double H = outside;
-      if (vertex >= 0) {
+      if (vertex != NearestVertices::kNone) {
         const Vec3 centre = grid_.origin + grid_.dx * Vec3(viscosity.lo()[0] + i, y, z);
         const double distance = signed_distance(centre - positions.col(vertex), vertex);
         H = smoothed_heaviside(distance / grid_.dx);
@@ -48,35 +49,14 @@ double ViscosityField::signed_distance(const Vec3& offset, int vertex) const {
   return (2 * p + kappa * r2) / (1 + std::sqrt(std::pow(1 + kappa * p, 2) + kappa * kappa * t2));
 }
 
-void ViscosityField::find_nearest_vertices(const Points& positions, const ScalarBox& box) {
+/// A cell within two spacings of the surface is within this of a vertex (0.58: centre of an equilateral
+/// triangle).
+double ViscosityField::reach(const Points& positions) const {
   double longest2 = 0;
   for (const Edge& edge : mesh_.edges)
     longest2 =
         std::max(longest2, (positions.col(edge.vertices[0]) - positions.col(edge.vertices[1])).squaredNorm());
-  // a cell within two spacings of the surface is within this of a vertex (0.58: centre of an equilateral
-  // triangle)
-  const double reach = 2 * grid_.dx + 0.58 * std::min(std::sqrt(longest2), 4 * grid_.dx);
-  distance2_.reset(box.lo(), box.size(), reach * reach);
-  const auto [nx, ny, nz] = box.size();
-  nearest_.assign(std::size_t(nx) * ny * nz, -1);
-  for (Eigen::Index k = 0; k < positions.cols(); ++k) {
-    const Vec3 at = (positions.col(k) - grid_.origin) / grid_.dx;
-    std::array<int, 3> first{}, last{};
-    for (int c = 0; c < 3; ++c) {
-      first[c] = std::max(box.lo()[c], int(std::ceil(at[c] - reach / grid_.dx)));
-      last[c] = std::min(box.lo()[c] + box.size()[c] - 1, int(std::floor(at[c] + reach / grid_.dx)));
-    }
-    for (int z = first[2]; z <= last[2]; ++z)
-      for (int y = first[1]; y <= last[1]; ++y) {
-        const double yz2 = std::pow(y - at[1], 2) + std::pow(z - at[2], 2);
-        double* row = distance2_.row(0, y, z) - box.lo()[0];
-        int* nearest = &nearest_[(std::size_t(z - box.lo()[2]) * ny + (y - box.lo()[1])) * nx] - box.lo()[0];
-        for (int x = first[0]; x <= last[0]; ++x) {
-          const double d2 = (yz2 + (x - at[0]) * (x - at[0])) * grid_.dx * grid_.dx;
-          if (d2 < row[x]) row[x] = d2, nearest[x] = static_cast<int>(k);
-        }
-      }
-  }
+  return 2 + 0.58 * std::min(std::sqrt(longest2) / grid_.dx, 4.0);
 }
 
 }  // namespace capstan

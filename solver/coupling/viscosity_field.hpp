@@ -3,6 +3,7 @@
 // smoothed over two cells on either side.
 #include "solver/coupling/cell_box.hpp"
 #include "solver/coupling/immersed_boundary.hpp"
+#include "solver/coupling/nearest_vertices.hpp"
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {
@@ -18,13 +19,12 @@ class ViscosityField {
   void update(const Points& positions, double ambient, double inner, ScalarBox& viscosity);
 
  private:
-  void find_nearest_vertices(const Points& positions, const ScalarBox& box);
+  double reach(const Points& positions) const;  ///< in cells
   double signed_distance(const Vec3& offset, int vertex) const;
 
   GridGeometry grid_;
   const TriangleMesh& mesh_;
-  ScalarBox distance2_;       ///< to the nearest vertex, in the band around the membrane
-  std::vector<int> nearest_;  ///< that vertex, cell by cell of the box; -1 outside of the band
+  NearestVertices nearest_;
   Points normals_;
   Scalars curvature_;
 };

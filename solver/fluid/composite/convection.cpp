@@ -2,7 +2,7 @@
 
 #include "solver/fluid/composite/for_each_row.hpp"
 #include "solver/fluid/composite/sweep.hpp"
-#include "solver/fluid/vector_units.hpp"
+#include "solver/coupling/vector_units.hpp"
 
 namespace capstan {
 namespace {

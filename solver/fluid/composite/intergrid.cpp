@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/fluid/composite/for_each_row.hpp"
-#include "solver/fluid/vector_units.hpp"
+#include "solver/coupling/vector_units.hpp"
 
 namespace capstan {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "solver/fluid/composite/intergrid.hpp"
 #include "solver/fluid/composite/sweep.hpp"
-#include "solver/fluid/vector_units.hpp"
+#include "solver/coupling/vector_units.hpp"
 
 namespace capstan {
 namespace {

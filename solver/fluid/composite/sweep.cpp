@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "solver/fluid/lattice/d3q19.hpp"
-#include "solver/fluid/vector_units.hpp"
+#include "solver/coupling/vector_units.hpp"
 
 namespace capstan {
 namespace {

@@ -1,6 +1,6 @@
 #include "solver/fluid/lattice/collision.hpp"
 
-#include "solver/fluid/vector_units.hpp"
+#include "solver/coupling/vector_units.hpp"
 
 namespace capstan {
 namespace {

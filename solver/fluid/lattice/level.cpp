@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "solver/fluid/vector_units.hpp"
+#include "solver/coupling/vector_units.hpp"
 
 namespace capstan {
 

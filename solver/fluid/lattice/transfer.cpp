@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "solver/fluid/vector_units.hpp"
+#include "solver/coupling/vector_units.hpp"
 
 namespace capstan {
 namespace {
