@@ -25,14 +25,18 @@ CAPSTAN_VECTOR_UNITS void claim(const Window& window, int vertex, std::size_t y_
       const float dy = float(y) - window.at[1], dz = float(z) - window.at[2], yz2 = dy * dy + dz * dz;
       if (yz2 >= window.reach2) continue;
       const std::size_t row = y * y_pitch + z * z_pitch;
-      for (int x = window.first[0]; x <= window.last[0]; x += kLanes)
+      for (int x = window.first[0]; x <= window.last[0]; x += kLanes) {
+        float* __restrict least = distance2 + row + x;
+        int* __restrict owner = nearest + row + x;
+        const float from_first = float(x) - window.at[0];
+#pragma omp simd simdlen(8)
         for (int lane = 0; lane < kLanes; ++lane) {
-          const float dx = float(x + lane) - window.at[0], d2 = yz2 + dx * dx;
-          float& least = distance2[row + x + lane];
-          int& owner = nearest[row + x + lane];
-          owner = d2 < least ? vertex : owner;
-          least = std::min(d2, least);
+          const float dx = from_first + float(lane), d2 = yz2 + dx * dx, before = least[lane];
+          const int other = owner[lane];
+          owner[lane] = d2 < before ? vertex : other;
+          least[lane] = d2 < before ? d2 : before;
         }
+      }
     }
 }
 
