@@ -70,7 +70,7 @@ Action declare_doctor(CLI::App& command) {
   command.add_flag("--repair", arguments->mend,
                    "mend what can be mended without losing anything; stop the server first");
   command.footer(
-      "Exit code 0: all is well, or mended. 1: some faults are left.\n"
+      "Exit code 0: all is well, mended, or needs nothing (a note). 1: some faults are left.\n"
       "Example:\n  capstan doctor --data /srv/capsules\n");
   return [arguments] { return examine_data(*arguments); };
 }
