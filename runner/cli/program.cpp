@@ -292,6 +292,11 @@ int report(const std::exception& error, int code) {
   return code;
 }
 
+int exit_code_of(const Refused& refusal) {
+  if (refusal.status >= 500) return kExitError;
+  return refusal.status == 404 ? kExitNotFound : kExitInvalidInput;
+}
+
 }  // namespace
 
 int run_program(int argc, char** argv, const Physics& physics) {
@@ -301,7 +306,7 @@ int run_program(int argc, char** argv, const Physics& physics) {
     return action ? action() : code;
   } catch (const Refused& refusal) {
     if (!refusal.issues.empty()) print_issues(std::cerr, "the server", refusal.issues);
-    return report(refusal, refusal.status == 404 ? kExitNotFound : kExitInvalidInput);
+    return report(refusal, exit_code_of(refusal));
   } catch (const Unreachable& error) {
     return report(error, kExitUnreachable);
   } catch (const std::invalid_argument& error) {

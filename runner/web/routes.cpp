@@ -77,6 +77,11 @@ Response respond(Service& service, const Request& request) try {
                          : not_allowed(allowed);
 } catch (const KeyReused& reuse) {
   return problem(422, "Idempotency key reused", reuse.what());
+} catch (const DatabaseUnavailable& error) {
+  std::clog << "capstan: " << request.method << ' ' << request.path << ": " << error.what() << std::endl;
+  Response refusal = problem(503, "Not available", error.what());
+  refusal.headers["Retry-After"] = "5";
+  return refusal;
 } catch (const std::exception& error) {
   std::clog << "capstan: " << request.method << ' ' << request.path << ": " << error.what() << std::endl;
   return problem(500, "Internal error", error.what());
