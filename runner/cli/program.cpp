@@ -19,7 +19,9 @@ namespace {
 using Action = std::function<int()>;
 
 void add_server_option(CLI::App& command, std::string& server) {
-  command.add_option("--server", server, "the server to ask")->type_name("URL")->capture_default_str();
+  command.add_option("--server", server, "the server to ask; https:// where a proxy adds it")
+      ->type_name("URL")
+      ->capture_default_str();
 }
 
 Action declare_serve(CLI::App& command) {
@@ -268,7 +270,8 @@ Action read_arguments(int argc, char** argv, const Physics& physics, int& code) 
   CLI::App* compare =
       app.add_subcommand("compare", "run the same case with all fluid models and tell how far they agree");
   actions.emplace_back(compare, declare_compare(*compare, physics));
-  CLI::App* estimate = app.add_subcommand("estimate", "how long a study takes on this machine, before it is submitted");
+  CLI::App* estimate =
+      app.add_subcommand("estimate", "how long a study takes on this machine, before it is submitted");
   actions.emplace_back(estimate, declare_estimate(*estimate, physics));
   CLI::App* bench = app.add_subcommand("bench", "measure how fast the solver is on this machine");
   bench->require_subcommand(1);
