@@ -51,4 +51,12 @@ Response get_openapi(Service&, const Request&, const std::string&) {
   return {200, "application/yaml", kOpenApi, {}};
 }
 
+Response get_study_schema(Service&, const Request&, const std::string&) {
+  return {200, "application/schema+json", kStudySchema, {}};
+}
+
+Response get_case_schema(Service&, const Request&, const std::string&) {
+  return {200, "application/schema+json", kCaseSchema, {}};
+}
+
 }  // namespace capstan

@@ -13,6 +13,8 @@ constexpr Route kRoutes[] = {
     {"GET", "/readyz", get_readiness},
     {"GET", "/metrics", get_metrics},
     {"GET", "/openapi.yaml", get_openapi},
+    {"GET", "/study.schema.json", get_study_schema},
+    {"GET", "/case.schema.json", get_case_schema},
     {"POST", "/v1/studies", post_study},
     {"GET", "/v1/studies", get_studies},
     {"GET", "/v1/studies/{id}", get_study},
