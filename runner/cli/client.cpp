@@ -19,10 +19,18 @@ using nlohmann::ordered_json;
   throw Refused(response.status, body["detail"], issues);
 }
 
+std::string why_unreachable(httplib::Error error, const std::string& server) {
+  if (error == httplib::Error::SSLServerVerification)
+    return "the certificate of " + server +
+           " is not trusted, or is another one's\nA certificate that this machine does not know is named "
+           "with:  "
+           "SSL_CERT_FILE=FILE";
+  return "no server answers at " + server + " (" + httplib::to_string(error) +
+         ")\nStart one with:  capstan serve\nor say where it is with:  --server URL";
+}
+
 ordered_json content(const httplib::Result& result, const std::string& server) {
-  if (!result)
-    throw Unreachable("no server answers at " + server + " (" + httplib::to_string(result.error()) +
-                      ")\nStart one with:  capstan serve\nor say where it is with:  --server URL");
+  if (!result) throw Unreachable(why_unreachable(result.error(), server));
   if (result->status >= 300) refuse(*result);
   return ordered_json::parse(result->body);
 }

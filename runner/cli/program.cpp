@@ -19,7 +19,9 @@ namespace {
 using Action = std::function<int()>;
 
 void add_server_option(CLI::App& command, std::string& server) {
-  command.add_option("--server", server, "the server to ask")->type_name("URL")->capture_default_str();
+  command.add_option("--server", server, "the server to ask; https:// where a proxy adds it")
+      ->type_name("URL")
+      ->capture_default_str();
 }
 
 Action declare_serve(CLI::App& command) {
@@ -70,7 +72,7 @@ Action declare_doctor(CLI::App& command) {
   command.add_flag("--repair", arguments->mend,
                    "mend what can be mended without losing anything; stop the server first");
   command.footer(
-      "Exit code 0: all is well, or mended. 1: some faults are left.\n"
+      "Exit code 0: all is well, mended, or needs nothing (a note). 1: some faults are left.\n"
       "Example:\n  capstan doctor --data /srv/capsules\n");
   return [arguments] { return examine_data(*arguments); };
 }
@@ -268,7 +270,8 @@ Action read_arguments(int argc, char** argv, const Physics& physics, int& code) 
   CLI::App* compare =
       app.add_subcommand("compare", "run the same case with all fluid models and tell how far they agree");
   actions.emplace_back(compare, declare_compare(*compare, physics));
-  CLI::App* estimate = app.add_subcommand("estimate", "how long a study takes on this machine, before it is submitted");
+  CLI::App* estimate =
+      app.add_subcommand("estimate", "how long a study takes on this machine, before it is submitted");
   actions.emplace_back(estimate, declare_estimate(*estimate, physics));
   CLI::App* bench = app.add_subcommand("bench", "measure how fast the solver is on this machine");
   bench->require_subcommand(1);
@@ -292,6 +295,11 @@ int report(const std::exception& error, int code) {
   return code;
 }
 
+int exit_code_of(const Refused& refusal) {
+  if (refusal.status >= 500) return kExitError;
+  return refusal.status == 404 ? kExitNotFound : kExitInvalidInput;
+}
+
 }  // namespace
 
 int run_program(int argc, char** argv, const Physics& physics) {
@@ -301,7 +309,7 @@ int run_program(int argc, char** argv, const Physics& physics) {
     return action ? action() : code;
   } catch (const Refused& refusal) {
     if (!refusal.issues.empty()) print_issues(std::cerr, "the server", refusal.issues);
-    return report(refusal, refusal.status == 404 ? kExitNotFound : kExitInvalidInput);
+    return report(refusal, exit_code_of(refusal));
   } catch (const Unreachable& error) {
     return report(error, kExitUnreachable);
   } catch (const std::invalid_argument& error) {

@@ -8,11 +8,27 @@
 
 namespace capstan {
 
+namespace {
+
+const char* word(Finding::Kind kind) {
+  switch (kind) {
+    case Finding::Kind::mended:
+      return "mended";
+    case Finding::Kind::note:
+      return "note";
+    case Finding::Kind::fault:
+      break;
+  }
+  return "fault";
+}
+
+}  // namespace
+
 int examine_data(const UpkeepArguments& arguments) {
   int unmended = 0;
   for (const Finding& finding : examine(arguments.data, arguments.mend)) {
-    std::cout << (finding.is_mended ? "mended: " : "fault: ") << finding.what << '\n';
-    if (!finding.is_mended) ++unmended;
+    std::cout << word(finding.kind) << ": " << finding.what << '\n';
+    if (finding.kind == Finding::Kind::fault) ++unmended;
   }
   if (unmended == 0) std::cout << "all is well\n";
   return unmended == 0 ? kExitDone : kExitError;

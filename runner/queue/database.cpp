@@ -8,10 +8,25 @@
 namespace capstan {
 namespace {
 
+bool is_unavailable(int code) {
+  switch (code & 0xff) {  // the rest says more closely what kind
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+    case SQLITE_BUSY:
+      return true;
+  }
+  return false;
+}
+
 [[noreturn]] void fail(sqlite3* connection, const std::string& operation) {
-  const char* name = connection ? sqlite3_db_filename(connection, "main") : nullptr;
-  const char* why = connection ? sqlite3_errmsg(connection) : "out of memory";
-  throw DatabaseError("database " + std::string(name ? name : "") + ": " + operation + ": " + why);
+  if (!connection) throw DatabaseError("database: " + operation + ": out of memory");
+  const char* name = sqlite3_db_filename(connection, "main");
+  const std::string what =
+      "database " + std::string(name ? name : "") + ": " + operation + ": " + sqlite3_errmsg(connection);
+  if (is_unavailable(sqlite3_errcode(connection))) throw DatabaseUnavailable(what);
+  throw DatabaseError(what);
 }
 
 /// SQLite counts its memory behind one lock for all threads, which then wait for each other at every
@@ -101,7 +116,9 @@ std::string Statement::text(int column) const {
 Database::Database(const std::filesystem::path& file, Access access)
     : Database(file,
                access == Access::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY) {
-  if (access == Access::write) prepare_for_writing();
+  if (access == Access::read) return;
+  probe_ = std::make_unique<WriteProbe>(std::filesystem::absolute(file).parent_path());
+  prepare_for_writing();
 }
 
 Database::Database(const std::filesystem::path& file, int flags) {
@@ -133,6 +150,13 @@ void Database::bring_to_present_format() {
   transaction.commit();
 }
 
+void Database::expect_writable() const {
+  const std::string fault = probe_ ? probe_->fault() : "";
+  if (!fault.empty())
+    throw DatabaseUnavailable("database " + std::string(sqlite3_db_filename(connection_.get(), "main")) +
+                              ": nothing can be written: " + fault);
+}
+
 void Database::execute_script(const char* sql) {
   if (sqlite3_exec(connection_.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK)
     fail(connection_.get(), sql);
@@ -158,6 +182,7 @@ void Database::copy_to(const std::filesystem::path& file) {
 Transaction::Transaction(Database& database, Survives survives)
     : database_(database), is_open_(!database.in_transaction()) {
   if (!is_open_) return;
+  database_.expect_writable();
   database_.execute_script(survives == Survives::power_failure ? "PRAGMA synchronous = FULL"
                                                                : "PRAGMA synchronous = NORMAL");
   database_.execute_script("BEGIN IMMEDIATE");

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "runner/queue/clock.hpp"
+#include "runner/queue/write_probe.hpp"
 
 namespace capstan {
 
@@ -19,6 +20,13 @@ namespace capstan {
 class DatabaseError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// The fault is not the statement's: the disk is full or read-only, the file is gone, another process holds
+/// it. Later the same may succeed.
+class DatabaseUnavailable : public DatabaseError {
+ public:
+  using DatabaseError::DatabaseError;
 };
 
 /// Statements that were compiled before and wait for their next use, by their SQL: compiling costs more than
@@ -103,6 +111,11 @@ class Database {
 
   /// Replaces the file by a copy of one moment, whatever is written meanwhile. The copy has been checked.
   void copy_to(const std::filesystem::path& file);
+
+  /// Throws DatabaseUnavailable where nothing can be written. To be asked before each write: the index of
+  /// SQLite's log is a file in shared memory, and on a disk that has failed its first change is no error but
+  /// the end of the process (SIGBUS; seen on XFS).
+  void expect_writable() const;
   bool in_transaction() const { return sqlite3_get_autocommit(connection_.get()) == 0; }
 
  private:
@@ -115,6 +128,7 @@ class Database {
   };
   std::unique_ptr<sqlite3, Close> connection_;
   std::shared_ptr<IdleStatements> idle_ = std::make_shared<IdleStatements>();
+  std::unique_ptr<WriteProbe> probe_;  ///< of a writer
 };
 
 /// What a commit outlives. A promise to a client waits for the disk; what only says how far a run is need

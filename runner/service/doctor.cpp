@@ -5,6 +5,7 @@
 
 #include "runner/queue/database.hpp"
 #include "runner/queue/schema.hpp"
+#include "runner/service/damaged_checkpoints.hpp"
 #include "runner/service/data_directory.hpp"
 #include "runner/service/database_faults.hpp"
 #include "runner/service/run_faults.hpp"
@@ -21,16 +22,18 @@ class Doctor {
 
   std::vector<Finding> findings() && {
     look_at_disk();
-    if (look_at_database())
+    if (look_at_database()) {
       find_run_faults(data_ / "runs", database_,
                       [this](const std::string& what, const auto& mend) { found(what, mend); });
+      look_at_checkpoints();
+    }
     return std::move(findings_);
   }
 
  private:
   void found(const std::string& what, const std::function<void()>& mend) {
     if (mend_ && mend) mend();
-    findings_.push_back({what, mend_ && mend});
+    findings_.push_back({what, mend_ && mend ? Finding::Kind::mended : Finding::Kind::fault});
   }
 
   void look_at_disk() {
@@ -46,7 +49,9 @@ class Doctor {
     if (!damage.empty() && mend_) {
       database_.execute_script("REINDEX");
       const bool is_mended = damage_of(database_).empty();
-      for (const std::string& fault : damage) findings_.push_back({"the database: " + fault, is_mended});
+      for (const std::string& fault : damage)
+        findings_.push_back(
+            {"the database: " + fault, is_mended ? Finding::Kind::mended : Finding::Kind::fault});
       if (!is_mended) return false;
     } else if (!damage.empty()) {
       for (const std::string& fault : damage) found("the database: " + fault, {});
@@ -59,6 +64,18 @@ class Doctor {
         transaction.commit();
       });
     return true;
+  }
+
+  /// What cannot be read is worth nothing: to take it away is safe, and the next run would replace it first.
+  void look_at_checkpoints() {
+    for (const DamagedCheckpoint& checkpoint : damaged_checkpoints(data_ / "runs", database_)) {
+      const std::string what = checkpoint.path.string() + " " + checkpoint.fault + ": the case ";
+      if (checkpoint.other.empty())
+        found(what + "starts anew", [&] { std::filesystem::remove(checkpoint.path); });
+      else
+        findings_.push_back(
+            {what + "goes on from " + checkpoint.other.filename().string(), Finding::Kind::note});
+    }
   }
 
   const std::filesystem::path data_;

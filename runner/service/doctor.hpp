@@ -7,8 +7,13 @@
 namespace capstan {
 
 struct Finding {
+  enum class Kind {
+    fault,
+    mended,
+    note,  ///< nothing is to be done: the next run finds its way
+  };
   std::string what;
-  bool is_mended = false;
+  Kind kind = Kind::fault;
 };
 
 /// Faults of the database, of the run directories and of the disk; none if all is well. Throws

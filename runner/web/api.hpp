@@ -14,6 +14,8 @@ Response get_health(Service& service, const Request& request, const std::string&
 Response get_readiness(Service& service, const Request& request, const std::string& id);
 Response get_metrics(Service& service, const Request& request, const std::string& id);
 Response get_openapi(Service& service, const Request& request, const std::string& id);
+Response get_study_schema(Service& service, const Request& request, const std::string& id);
+Response get_case_schema(Service& service, const Request& request, const std::string& id);
 
 Response post_study(Service& service, const Request& request, const std::string& id);
 Response get_studies(Service& service, const Request& request, const std::string& id);

@@ -30,6 +30,8 @@ Response get_readiness(Service& service, const Request&, const std::string&) try
   for (const auto& path : {service.data().path(), service.data().database()})
     if (access(path.c_str(), W_OK) != 0)
       return problem(503, "Not ready", path.string() + " cannot be written");
+  if (const std::string fault = WriteProbe(service.data().path()).fault(); !fault.empty())
+    return problem(503, "Not ready", "nothing can be written to the data directory: " + fault);
   const std::uintmax_t free = std::filesystem::space(service.data().path()).available;
   if (free < kLeast) return problem(503, "Not ready", "less than 100 MB are free in the data directory");
   return json_response(200, {{"status", "ready"}, {"free_bytes", free}});
@@ -47,6 +49,14 @@ Response get_metrics(Service& service, const Request&, const std::string&) {
 
 Response get_openapi(Service&, const Request&, const std::string&) {
   return {200, "application/yaml", kOpenApi, {}};
+}
+
+Response get_study_schema(Service&, const Request&, const std::string&) {
+  return {200, "application/schema+json", kStudySchema, {}};
+}
+
+Response get_case_schema(Service&, const Request&, const std::string&) {
+  return {200, "application/schema+json", kCaseSchema, {}};
 }
 
 }  // namespace capstan

@@ -13,6 +13,8 @@ constexpr Route kRoutes[] = {
     {"GET", "/readyz", get_readiness},
     {"GET", "/metrics", get_metrics},
     {"GET", "/openapi.yaml", get_openapi},
+    {"GET", "/study.schema.json", get_study_schema},
+    {"GET", "/case.schema.json", get_case_schema},
     {"POST", "/v1/studies", post_study},
     {"GET", "/v1/studies", get_studies},
     {"GET", "/v1/studies/{id}", get_study},
@@ -77,6 +79,11 @@ Response respond(Service& service, const Request& request) try {
                          : not_allowed(allowed);
 } catch (const KeyReused& reuse) {
   return problem(422, "Idempotency key reused", reuse.what());
+} catch (const DatabaseUnavailable& error) {
+  std::clog << "capstan: " << request.method << ' ' << request.path << ": " << error.what() << std::endl;
+  Response refusal = problem(503, "Not available", error.what());
+  refusal.headers["Retry-After"] = "5";
+  return refusal;
 } catch (const std::exception& error) {
   std::clog << "capstan: " << request.method << ' ' << request.path << ": " << error.what() << std::endl;
   return problem(500, "Internal error", error.what());

@@ -1,34 +1,18 @@
 #include "tests/support/small_disk.hpp"
 
 #include <fcntl.h>
-#include <sched.h>
 #include <sys/mount.h>
 #include <unistd.h>
 
 #include <fstream>
 #include <vector>
 
+#include "tests/support/own_mounts.hpp"
+
 namespace capstan {
-namespace {
-
-/// Mounts of this process are seen by nobody else. A user without rights has them in a namespace of its own.
-bool enter_own_namespace() {
-  const uid_t user = getuid();
-  const gid_t group = getgid();
-  if (unshare(CLONE_NEWNS) != 0) {
-    if (unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
-    std::ofstream("/proc/self/setgroups") << "deny";
-    std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
-    std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
-  }
-  return mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0;
-}
-
-}  // namespace
-
 SmallDisk::SmallDisk(const std::string& size) {
   is_mounted_ =
-      enter_own_namespace() && mount("none", path().c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
+      keep_mounts_to_oneself() && mount("none", path().c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
 }
 
 SmallDisk::~SmallDisk() {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "runner/queue/database.hpp"
+#include "tests/support/failing_disk.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/sample_studies.hpp"
@@ -87,6 +88,84 @@ TEST_F(DiskTest, DaemonDoesNotStartOnAReadOnlyOneAndSaysWhy) {
   const CommandResult serve = run_capstan("serve --listen 127.0.0.1:0 --data " + disk_.path().string());
   EXPECT_EQ(serve.exit_code, 1);
   EXPECT_THAT(serve.errors, HasSubstr("Read-only file system"));
+}
+
+/// Disks that turn read-only while the daemon works on them.
+class FailingDiskTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!disk_.is_mounted()) GTEST_SKIP() << "this user may not mount an ext4";
+  }
+  void expect_refusal_of_studies(Client& client, const std::string& why) {
+    for (double Ca : {0.7, 0.8}) try {
+        submit(client, Ca);
+        ADD_FAILURE() << "a study was taken";
+      } catch (const Refused& refusal) {
+        EXPECT_EQ(refusal.status, 503);
+        EXPECT_THAT(refusal.what(), HasSubstr(why));
+      }
+  }
+  void expect_not_ready(Client& client) {
+    try {
+      client.get("/readyz");
+      ADD_FAILURE() << "it says that it is ready";
+    } catch (const Refused& refusal) {
+      EXPECT_EQ(refusal.status, 503);
+      EXPECT_THAT(refusal.what(), HasSubstr("written"));
+    }
+  }
+  void make_database_unchangeable(bool is_unchangeable) {
+    for (const char* end : {"", "-wal", "-shm"})
+      make_unchangeable((disk_.path() / "capstan.sqlite").string() + end, is_unchangeable);
+  }
+
+  FailingDisk disk_;
+};
+
+TEST_F(FailingDiskTest, DatabaseThatCannotBeChangedTakesNoStudyAnswersAllQuestionsAndGoesOnAfterwards) {
+  Daemon daemon(disk_.path());
+  Client client(daemon.url());
+  const std::string before = submit(client, 0.1), during = submit(client, 0.2, 40);
+  wait_for_cases(client, before, "done", 1);
+  wait_for_cases(client, during, "running", 1);
+  make_database_unchangeable(true);
+  const std::string run = client.get("/v1/studies/" + during + "/cases")["cases"][0]["id"];
+  std::ofstream(disk_.path() / "runs" / run / "go").flush();  // it ends, and cannot be recorded
+  expect_refusal_of_studies(client, "capstan.sqlite: COMMIT: disk I/O error");
+  expect_not_ready(client);
+  EXPECT_EQ(client.get("/v1/studies/" + before)["cases"]["done"], 1);
+  EXPECT_EQ(client.get("/v1/studies")["studies"].size(), 2u);
+  make_database_unchangeable(false);
+  wait_for_cases(client, during, "done", 1);
+  EXPECT_EQ(client.get("/v1/cases/" + run)["attempts"].size(), 1u);
+  wait_for_cases(client, submit(client, 0.7), "done", 1);
+  EXPECT_EQ(client.get("/readyz")["status"], "ready");
+  EXPECT_EQ(client.get("/v1/studies")["studies"].size(), 3u);
+  EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+}
+
+/// With the log copied into the database the next write begins with the log's index, which is shared memory.
+TEST_F(FailingDiskTest, FailedDiskEndsNoDaemonAndLosesNothing) {
+  Daemon daemon(disk_.path());
+  Client client(daemon.url());
+  const std::string before = submit(client, 0.1);
+  wait_for_cases(client, before, "done", 1);
+  Database(disk_.path() / "capstan.sqlite", Database::Access::write)
+      .execute_script("PRAGMA wal_checkpoint(PASSIVE)");
+  disk_.fail();
+  expect_refusal_of_studies(client, "Read-only file system");
+  const CommandResult cancel = run_capstan("cancel " + before + " --server " + daemon.url());
+  EXPECT_EQ(cancel.exit_code, 1);
+  EXPECT_THAT(cancel.errors, HasSubstr("Read-only file system"));
+  expect_not_ready(client);
+  EXPECT_EQ(client.get("/v1/studies/" + before)["cases"]["done"], 1);
+  EXPECT_THAT(daemon.end_with(SIGTERM), testing::AnyOf(0, 1));
+  disk_.repair();
+  const Daemon successor(disk_.path());
+  Client again(successor.url());
+  EXPECT_EQ(again.get("/v1/studies/" + before)["cases"]["done"], 1);
+  wait_for_cases(again, submit(again, 0.7), "done", 1);
+  EXPECT_EQ(again.get("/v1/studies")["studies"].size(), 2u);
 }
 
 class DamagedDatabase : public testing::Test {

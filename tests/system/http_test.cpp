@@ -3,9 +3,11 @@
 #include <httplib.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/support/program.hpp"
 #include "tests/support/sample_studies.hpp"
+#include "tests/support/served_study.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace capstan {
@@ -87,6 +89,68 @@ TEST_F(HttpTest, FilterInTheQueryIsDecoded) {
   const json study = json::parse(post(study_document("http", {{"Ca", {0.25}}}).dump())->body);
   const std::string cases = study["links"]["cases"];
   EXPECT_EQ(json::parse(client_.Get(cases + "?Ca=2.5e%2D1")->body)["cases"].size(), 1u);
+}
+
+/// Three cases: one that completes, one that diverges and one that is refused, both at the coarse setting
+/// alone.
+class RetryTest : public HttpTest {
+ protected:
+  RetryTest() {
+    const json document = study_document("retry", {{"V", {4, 55, 95}}, {"Ca", {0.25}}});
+    id_ = api_.post("/v1/studies", document.dump())["id"];
+    wait_for(api_, "/v1/studies/" + id_, [](const auto& study) {
+      return study["cases"]["done"] == 1 && study["cases"]["diverged"] == 1 && study["cases"]["failed"] == 1;
+    });
+  }
+  httplib::Result retry(const std::string& id, const std::string& body) {
+    return client_.Post("/v1/studies/" + id + "/retry", body, "application/json");
+  }
+  nlohmann::ordered_json cases() { return api_.get("/v1/studies/" + id_ + "/cases")["cases"]; }
+
+  Client api_{daemon_.url()};
+  std::string id_;
+};
+
+TEST_F(RetryTest, AtAFinerFidelityPutsDoneCasesInThePlaceOfFailedAndDivergedOnes) {
+  const nlohmann::ordered_json before = cases();
+  const auto answer = retry(id_, R"({"fidelity": "fine"})");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 200);
+  EXPECT_EQ(json::parse(answer->body)["id"], id_);
+  wait_for_cases(api_, id_, "done", 3);
+  const nlohmann::ordered_json after = cases();
+  ASSERT_EQ(after.size(), 3u);
+  EXPECT_EQ(after[0], before[0]);
+  for (int i : {1, 2}) {
+    EXPECT_EQ(after[i]["replaces"], before[i]["id"]);
+    EXPECT_EQ(after[i]["parameters"]["V"], before[i]["parameters"]["V"]);
+    EXPECT_GT(after[i]["parameters"]["fidelity"]["nodes"], before[i]["parameters"]["fidelity"]["nodes"]);
+    EXPECT_EQ(after[i]["motion"], "tumbling");
+  }
+}
+
+TEST_F(RetryTest, AtABadFidelityIsAProblemThatListsAllFaultsAndChangesNothing) {
+  const nlohmann::ordered_json before = cases();
+  const auto answer = retry(id_, R"({"fidelity": {"nodes": 7, "colour": "red"}})");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 422);
+  EXPECT_EQ(answer->get_header_value("Content-Type"), "application/problem+json");
+  std::set<std::string> pointers;
+  const json problem = json::parse(answer->body);
+  for (const json& fault : problem["errors"]) pointers.insert(fault["pointer"]);
+  EXPECT_EQ(pointers, (std::set<std::string>{"/fidelity/nodes", "/fidelity/colour"}));
+  for (const char* bad : {"{", "[]", "{}", "\"fine\"", R"({"fidelity": "finest"})", R"({"fidelity": null})"})
+    EXPECT_EQ(retry(id_, bad)->status, 422) << bad;
+  EXPECT_EQ(cases(), before);
+}
+
+TEST_F(RetryTest, OfAnUnknownStudyIsNotFound) {
+  for (const char* body : {"", R"({"fidelity": "fine"})", R"({"fidelity": "finest"})"}) {
+    const auto answer = retry("nothing-0000", body);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->status, 404) << body;
+    EXPECT_EQ(answer->get_header_value("Content-Type"), "application/problem+json");
+  }
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "runner/queue/database.hpp"
+#include "solver/case/content_id.hpp"
+#include "solver/state/checkpoint_header.hpp"
 #include "tests/support/campaign.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/program.hpp"
@@ -19,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 class UpkeepTest : public testing::Test {
  protected:
@@ -96,6 +99,60 @@ TEST_F(UpkeepTest, DoctorLeavesAnOrphanThatHoldsWork) {
   std::ofstream(orphan / "checkpoint-a.h5") << "hours of work";
   EXPECT_EQ(doctor(" --repair").exit_code, 1);
   EXPECT_TRUE(fs::exists(orphan / "checkpoint-a.h5"));
+}
+
+/// An interrupted case with two checkpoints, b the newer one.
+class InterruptedRun : public UpkeepTest {
+ protected:
+  void SetUp() override {
+    Daemon daemon(data_.path());
+    Client client(daemon.url());
+    const std::string id =
+        client.post("/v1/studies", study_document("half", {{"Ca", {0.25}}, {"V", {70}}}).dump())["id"];
+    wait_for_cases(client, id, "running", 1);
+    case_id_ = client.get("/v1/studies/" + id + "/cases")["cases"][0]["id"];
+    EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+    write_checkpoint(a_, 1);
+    write_checkpoint(b_, 2);
+  }
+  void write_checkpoint(const char* name, std::uint64_t sequence) {
+    overwrite(run() / name, std::string(kCheckpointHeaderSize, '\0') + "the state");
+    seal_checkpoint(run() / name, {.numerics = kNumericsVersion, .case_id = case_id_, .sequence = sequence});
+  }
+  void flip_last_byte(const char* name) {
+    std::string bytes = file_bytes(run() / name);
+    bytes.back() ^= 1;
+    overwrite(run() / name, bytes);
+  }
+
+  const char* const a_ = "checkpoint-a.h5";
+  const char* const b_ = "checkpoint-b.h5";
+};
+
+TEST_F(InterruptedRun, WithSoundCheckpointsIsWell) { EXPECT_EQ(doctor().output, "all is well\n"); }
+
+TEST_F(InterruptedRun, DoctorNotesThatADamagedCheckpointLeavesTheOther) {
+  for (const auto& [damaged, other] : {std::pair{a_, b_}, {b_, a_}}) {
+    const std::string sound = file_bytes(run() / damaged);
+    flip_last_byte(damaged);
+    const CommandResult found = doctor(" --repair");
+    EXPECT_EQ(found.exit_code, 0) << found.errors;
+    EXPECT_THAT(found.output, StartsWith("note: "));
+    EXPECT_THAT(found.output, HasSubstr(std::string(damaged) + " fails its checksum"));
+    EXPECT_THAT(found.output, HasSubstr("the case goes on from " + std::string(other)));
+    overwrite(run() / damaged, sound);
+  }
+}
+
+TEST_F(InterruptedRun, DoctorSaysThatACaseWithoutASoundCheckpointStartsAnew) {
+  flip_last_byte(a_);
+  overwrite(run() / b_, "hours of w");
+  const std::string found = doctor().output;
+  EXPECT_THAT(found, HasSubstr("checkpoint-a.h5 fails its checksum: the case starts anew"));
+  EXPECT_THAT(found, HasSubstr("checkpoint-b.h5 is truncated or has no valid header: the case starts anew"));
+  expect_fault_that_is_mended("starts anew");
+  EXPECT_FALSE(fs::exists(run() / a_));
+  EXPECT_FALSE(fs::exists(run() / b_));
 }
 
 TEST_F(UpkeepTest, DoctorLooksAtAServedDirectoryButMendsNothingThere) {

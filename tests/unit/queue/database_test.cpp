@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "runner/queue/job_queue.hpp"
 #include "runner/queue/readers.hpp"
 #include "runner/queue/schema.hpp"
 #include "runner/results/queries.hpp"
-
+#include "tests/support/old_database.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace capstan {
@@ -111,18 +109,10 @@ TEST_F(DatabaseTest, FormatOfALaterProgramIsRefused) {
   EXPECT_THROW(Database(file_, Database::Access::write), DatabaseError);
 }
 
-/// tests/reference/queue_format_1.sql is what a daemon of that format left when it was killed.
 TEST(OldDatabase, IsBroughtToThePresentFormatWithAllItHolds) {
   const TemporaryDirectory directory;
   const std::filesystem::path file = directory.path() / "old.sqlite";
-  std::ifstream dump(CAPSTAN_SOURCE_DIR "/tests/reference/queue_format_1.sql");
-  const std::string sql{std::istreambuf_iterator<char>(dump), {}};
-  sqlite3* old = nullptr;
-  sqlite3_open(file.c_str(), &old);
-  EXPECT_EQ(sqlite3_exec(old, (sql + "PRAGMA user_version = 1;").c_str(), nullptr, nullptr, nullptr),
-            SQLITE_OK);
-  sqlite3_close(old);
-
+  make_old_database(file);
   Database database(file, Database::Access::write);
   const nlohmann::ordered_json kept = find_study(database, "kept-8a8f").value();
   EXPECT_EQ(kept["cases"]["done"], 2);

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "solver/case/content_id.hpp"
-#include "solver/simulation/checkpoint_header.hpp"
+#include "solver/state/checkpoint_header.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/temporary_directory.hpp"
 

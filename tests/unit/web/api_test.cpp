@@ -161,6 +161,15 @@ TEST_F(ApiTest, RoutesAreExactlyThoseOfTheDocument) {
   EXPECT_EQ(described, served);
 }
 
+TEST_F(ApiTest, SchemasThatTheDocumentRefersToAreServedBesideIt) {
+  const std::string document = get("/openapi.yaml").body;
+  EXPECT_THAT(document, HasSubstr("$ref: study.schema.json"));
+  const ordered_json study = json(get("/study.schema.json"));
+  EXPECT_EQ(study["$id"], "study.schema.json");
+  EXPECT_THAT(study["properties"]["base"].dump(), HasSubstr("case.schema.json#/properties/Ca"));
+  EXPECT_TRUE(json(get("/case.schema.json"))["properties"].contains("Ca"));
+}
+
 TEST_F(ApiTest, ListsComeInPages) {
   const std::string id =
       json(ask("POST", "/v1/studies", study_document("a", {{"Ca", {1, 2, 3}}}).dump()))["id"];

@@ -1,4 +1,4 @@
-#include "solver/simulation/checkpoint_header.hpp"
+#include "solver/state/checkpoint_header.hpp"
 
 #include <zlib.h>
 

@@ -1,0 +1,22 @@
+#pragma once
+// What a daemon of format 1 left when it was killed (tests/reference/queue_format_1.sql), as a database
+// again.
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <filesystem>
+
+#include "tests/support/file_bytes.hpp"
+
+namespace capstan {
+
+inline void make_old_database(const std::filesystem::path& file) {
+  const std::string sql = file_bytes(CAPSTAN_SOURCE_DIR "/tests/reference/queue_format_1.sql");
+  sqlite3* old = nullptr;
+  sqlite3_open(file.c_str(), &old);
+  EXPECT_EQ(sqlite3_exec(old, (sql + "PRAGMA user_version = 1;").c_str(), nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(old);
+}
+
+}  // namespace capstan
