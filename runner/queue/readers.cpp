@@ -25,7 +25,7 @@ void Readers::give_back(Database* held) {
     return;
   }
   const std::lock_guard lock(mutex_);
-  idle_.push_back(std::move(database));
+  if (idle_.size() < kKept) idle_.push_back(std::move(database));
 }
 
 }  // namespace capstan

@@ -20,6 +20,10 @@ class Readers {
   /// Sees one moment, that of its first query, as long as it is held.
   using Reader = std::unique_ptr<Database, GiveBack>;
 
+  /// More at once are opened and closed again: each that is kept has two descriptors, and who is quick needs
+  /// few.
+  static constexpr std::size_t kKept = 2;
+
   /// From any thread; as many as are asked for.
   Reader take();
 
