@@ -34,6 +34,26 @@ struct CotangentFace {
   }
 };
 
+/// Of k functions at once, k x #V: what flows into each vertex along its edges, over its area.
+template <int k>
+Eigen::Matrix<double, k, Eigen::Dynamic> laplacian(const Faces& faces, const Points& positions,
+                                                   const Eigen::Matrix<double, k, Eigen::Dynamic>& values) {
+  Eigen::Matrix<double, k, Eigen::Dynamic> flux =
+      Eigen::Matrix<double, k, Eigen::Dynamic>::Zero(k, values.cols());
+  Scalars areas = Scalars::Zero(values.cols());
+  for (const auto& face : faces.colwise()) {
+    const CotangentFace here(positions, face);
+    const Vec3 shares = here.shares();
+    for (int corner : {0, 1, 2}) {
+      const int i = face[(corner + 1) % 3], j = face[(corner + 2) % 3];
+      const Eigen::Matrix<double, k, 1> flow = here.cotangents[corner] / 2 * (values.col(j) - values.col(i));
+      flux.col(i) += flow, flux.col(j) -= flow;
+      areas[face[corner]] += shares[corner];
+    }
+  }
+  return flux.array().rowwise() / areas.transpose().array();
+}
+
 }  // namespace
 
 Scalars mixed_areas(const Points& positions, const Faces& faces) {
@@ -46,32 +66,11 @@ Scalars mixed_areas(const Points& positions, const Faces& faces) {
 }
 
 Scalars laplace_beltrami(const Faces& faces, const Points& positions, const Scalars& values) {
-  Scalars flux = Scalars::Zero(values.size());
-  for (const auto& face : faces.colwise()) {
-    const Vec3 cotangents = CotangentFace(positions, face).cotangents;
-    for (int corner : {0, 1, 2}) {
-      const int i = face[(corner + 1) % 3], j = face[(corner + 2) % 3];
-      const double flow = cotangents[corner] / 2 * (values[j] - values[i]);
-      flux[i] += flow, flux[j] -= flow;
-    }
-  }
-  return flux.cwiseQuotient(mixed_areas(positions, faces));
+  return laplacian<1>(faces, positions, values.transpose()).transpose();
 }
 
-// The Laplacian of all three coordinates at once, and the areas with it.
 Scalars mean_curvature(const Faces& faces, const Points& positions, const Points& normals) {
-  Points flux = Points::Zero(3, positions.cols());
-  Scalars areas = Scalars::Zero(positions.cols());
-  for (const auto& face : faces.colwise()) {
-    const CotangentFace here(positions, face);
-    const Vec3 shares = here.shares();
-    for (int corner : {0, 1, 2}) {
-      const Vec3 flow = here.cotangents[corner] / 2 * here.opposite[corner];
-      flux.col(face[(corner + 1) % 3]) += flow, flux.col(face[(corner + 2) % 3]) -= flow;
-      areas[face[corner]] += shares[corner];
-    }
-  }
-  return -flux.cwiseProduct(normals).colwise().sum().transpose().cwiseQuotient(2 * areas);
+  return -laplacian<3>(faces, positions, positions).cwiseProduct(normals).colwise().sum().transpose() / 2;
 }
 
 }  // namespace capstan
