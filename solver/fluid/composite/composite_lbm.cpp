@@ -74,13 +74,12 @@ void CompositeLbm<T>::make_grids(const std::vector<IndexBox>& boxes) {
 template <class T>
 void CompositeLbm<T>::put_viscosity(const Points& positions) {
   const IndexBox capsule = boundary_.touched(kSmoothing);
-  viscosity_ratio_.reset(capsule.lo, capsule.sizes());
-  viscosity_->update(positions, 1, options_.V, viscosity_ratio_);
-  grids_.front().set_viscosity(viscosity_ratio_);
-  ScalarBox coarse;
-  for (std::size_t grid = 1; grid < grids_.size(); ++grid) {
-    coarse = coarsened(grid == 1 ? viscosity_ratio_ : coarse, 1);
-    grids_[grid].set_viscosity(coarse);
+  ScalarBox ratio;
+  ratio.reset(capsule.lo, capsule.sizes());
+  viscosity_->update(positions, 1, options_.V, ratio);
+  for (Grid<T>& grid : grids_) {
+    grid.set_viscosity(ratio);
+    ratio = coarsened(ratio, 1);
   }
 }
 

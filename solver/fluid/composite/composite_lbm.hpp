@@ -52,7 +52,6 @@ class CompositeLbm : public FlowModel {
   Domain domain_;
   SymmetricBoundary boundary_;
   std::optional<ViscosityField> viscosity_;  ///< none for V = 1
-  ScalarBox viscosity_ratio_;                ///< over the ambient one, around the capsule
   std::vector<IndexBox> boxes_;
   std::vector<Grid<T>> grids_;      ///< finest first; none before the first solve
   VectorBox force_;                 ///< of the membrane on the finest grid
