@@ -60,8 +60,7 @@ template <class Real>
 // Of the nine rows the one at y + 1, z + 1 was not read before; memory is asked for the next of its kind, and
 // for the row that will be written next.
 template <class Real>
-[[gnu::always_inline]] inline void stream_row(const Neighbours<Real>& neighbours, Real* to,
-                                              std::ptrdiff_t count) {
+CAPSTAN_VECTOR_UNITS void stream(const Neighbours<Real>& neighbours, Real* to, int count) {
   constexpr std::ptrdiff_t kLine = kCacheLine / sizeof(Real);
   const Neighbours<Real> near = neighbours;
   std::ptrdiff_t first = 0;
@@ -75,13 +74,6 @@ template <class Real>
   }
 #pragma GCC ivdep
   for (std::ptrdiff_t i = first; i < count; ++i) stream_cell(near, to, i);
-}
-
-CAPSTAN_VECTOR_UNITS void stream(const Neighbours<double>& near, double* to, int count) {
-  stream_row(near, to, count);
-}
-CAPSTAN_VECTOR_UNITS void stream(const Neighbours<float>& near, float* to, int count) {
-  stream_row(near, to, count);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ CAPSTAN_VECTOR_UNITS void claim(const Window& window, int vertex, std::size_t y_
         float* __restrict least = distance2 + row + x;
         int* __restrict owner = nearest + row + x;
         const float from_first = float(x) - window.at[0];
-#pragma omp simd simdlen(8)
+#pragma omp simd simdlen(kLanes)
         for (int lane = 0; lane < kLanes; ++lane) {
           const float dx = from_first + float(lane), d2 = yz2 + dx * dx, before = least[lane];
           const int other = owner[lane];

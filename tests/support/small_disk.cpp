@@ -10,6 +10,7 @@
 #include "tests/support/own_mounts.hpp"
 
 namespace capstan {
+
 SmallDisk::SmallDisk(const std::string& size) {
   is_mounted_ =
       keep_mounts_to_oneself() && mount("none", path().c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;

@@ -1,8 +1,8 @@
 #include "solver/fluid/composite/convection.hpp"
 
+#include "solver/coupling/vector_units.hpp"
 #include "solver/fluid/composite/for_each_row.hpp"
 #include "solver/fluid/composite/sweep.hpp"
-#include "solver/coupling/vector_units.hpp"
 
 namespace capstan {
 namespace {
@@ -24,25 +24,23 @@ template <class T>
 }
 
 template <class T>
-[[gnu::always_inline]] inline void subtract_row(const Row<T>& row) {
+CAPSTAN_VECTOR_UNITS void subtract(const Row<T>& row) {
   const Strides& s = row.strides;
   const T *gx = row.moments + kGx * s.component, *gy = row.moments + kGy * s.component,
           *gz = row.moments + kGz * s.component;
 #pragma GCC ivdep
   for (int i = 0; i < row.count; ++i) {
     const T ux = row.shear + gx[i], uy = gy[i], uz = gz[i];
-    const auto subtract = [&](int k, T twice) {
+    const auto put = [&](int k, T twice) {
       const std::ptrdiff_t at = i + k * s.component;
       row.out[at] = row.defect[at] - row.half_inertia * twice;
     };
     row.out[i] = row.defect[i];
-    subtract(kGx, carried(gx, s, i, ux, uy, uz) + uy * row.shear_step);
-    subtract(kGy, carried(gy, s, i, ux, uy, uz));
-    subtract(kGz, carried(gz, s, i, ux, uy, uz));
+    put(kGx, carried(gx, s, i, ux, uy, uz) + uy * row.shear_step);
+    put(kGy, carried(gy, s, i, ux, uy, uz));
+    put(kGz, carried(gz, s, i, ux, uy, uz));
   }
 }
-CAPSTAN_VECTOR_UNITS void subtract(const Row<float>& row) { subtract_row(row); }
-CAPSTAN_VECTOR_UNITS void subtract(const Row<double>& row) { subtract_row(row); }
 
 }  // namespace
 

@@ -16,22 +16,16 @@ constexpr int kStressesAtWall[] = {1, 1, 1, 1, 1};
 constexpr int kStressesInMirror[] = {1, 1, 1, -1, -1};
 constexpr int kStressesTurned[] = {1, 1, 1, -1, -1};
 
-CAPSTAN_VECTOR_UNITS void copy_row(const float* from, float* to, int count, int sign) {
+template <class T>
+CAPSTAN_VECTOR_UNITS void copy_row(const T* from, T* to, int count, int sign) {
 #pragma GCC ivdep
-  for (int i = 0; i < count; ++i) to[i] = float(sign) * from[i];
-}
-CAPSTAN_VECTOR_UNITS void copy_row(const double* from, double* to, int count, int sign) {
-#pragma GCC ivdep
-  for (int i = 0; i < count; ++i) to[i] = double(sign) * from[i];
+  for (int i = 0; i < count; ++i) to[i] = T(sign) * from[i];
 }
 
-CAPSTAN_VECTOR_UNITS void copy_reversed(const float* from, float* to, int count, int sign) {
+template <class T>
+CAPSTAN_VECTOR_UNITS void copy_reversed(const T* from, T* to, int count, int sign) {
 #pragma GCC ivdep
-  for (int i = 0; i < count; ++i) to[i] = float(sign) * from[count - 1 - i];
-}
-CAPSTAN_VECTOR_UNITS void copy_reversed(const double* from, double* to, int count, int sign) {
-#pragma GCC ivdep
-  for (int i = 0; i < count; ++i) to[i] = double(sign) * from[count - 1 - i];
+  for (int i = 0; i < count; ++i) to[i] = T(sign) * from[count - 1 - i];
 }
 
 /// Sides x: the two ends of every row, ghost rows included.

@@ -21,7 +21,7 @@ constexpr std::array<double, 3> parabola(int child) {
 }
 
 template <class T>
-[[gnu::always_inline]] inline void average_row(const std::array<const T*, 4>& rows, T* __restrict out,
+CAPSTAN_VECTOR_UNITS void average_row(const std::array<const T*, 4>& rows, T* __restrict out,
                                                int count, T factor) {
   const T* __restrict a = rows[0], * __restrict b = rows[1], * __restrict c = rows[2], * __restrict d = rows[3];
 #pragma GCC ivdep
@@ -29,16 +29,10 @@ template <class T>
     out[i] = factor * ((a[2 * i] + a[2 * i + 1]) + (b[2 * i] + b[2 * i + 1]) + (c[2 * i] + c[2 * i + 1]) +
                        (d[2 * i] + d[2 * i + 1]));
 }
-CAPSTAN_VECTOR_UNITS void average(const std::array<const float*, 4>& r, float* out, int n, float f) {
-  average_row(r, out, n, f);
-}
-CAPSTAN_VECTOR_UNITS void average(const std::array<const double*, 4>& r, double* out, int n, double f) {
-  average_row(r, out, n, f);
-}
 
 /// out (children of the cells 0 ... count - 1) += interpolation of the four rows around, the nearest first.
 template <class T>
-[[gnu::always_inline]] inline void add_linear_row(const std::array<const T*, 4>& rows, T* __restrict out,
+CAPSTAN_VECTOR_UNITS void add_linear_row(const std::array<const T*, 4>& rows, T* __restrict out,
                                                   int count, T factor) {
   constexpr int kBlock = 128;
   T along[kBlock + 2];
@@ -55,12 +49,6 @@ template <class T>
     }
   }
 }
-CAPSTAN_VECTOR_UNITS void add_row(const std::array<const float*, 4>& r, float* out, int n, float f) {
-  add_linear_row(r, out, n, f);
-}
-CAPSTAN_VECTOR_UNITS void add_row(const std::array<const double*, 4>& r, double* out, int n, double f) {
-  add_linear_row(r, out, n, f);
-}
 
 }  // namespace
 
@@ -70,7 +58,7 @@ void average_children(const RowField<T>& fine, RowField<T>& coarse, const IndexB
   const int fine_x = 2 * region.lo[0] - fine.box().lo[0], coarse_x = region.lo[0] - coarse.box().lo[0];
   for_each_row(region, [&](int y, int z) {
     for (int k = 0; k < coarse.components(); ++k)
-      average({fine.row(k, 2 * y, 2 * z) + fine_x, fine.row(k, 2 * y + 1, 2 * z) + fine_x,
+      average_row<T>({fine.row(k, 2 * y, 2 * z) + fine_x, fine.row(k, 2 * y + 1, 2 * z) + fine_x,
                fine.row(k, 2 * y, 2 * z + 1) + fine_x, fine.row(k, 2 * y + 1, 2 * z + 1) + fine_x},
               coarse.row(k, y, z) + coarse_x, region.size(0), T(factors[k] / 8));
   });
@@ -84,7 +72,7 @@ void add_linear(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& re
     const int Y = parent(y), Z = parent(z), near_Y = (y & 1) ? Y + 1 : Y - 1,
               near_Z = (z & 1) ? Z + 1 : Z - 1;
     for (int k = 0; k < fine.components(); ++k)
-      add_row({coarse.row(k, Y, Z) + coarse_x, coarse.row(k, near_Y, Z) + coarse_x,
+      add_linear_row<T>({coarse.row(k, Y, Z) + coarse_x, coarse.row(k, near_Y, Z) + coarse_x,
                coarse.row(k, Y, near_Z) + coarse_x, coarse.row(k, near_Y, near_Z) + coarse_x},
               fine.row(k, y, z) + fine_x, region.size(0) / 2, T(factors[k] / 16));
   });

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "solver/coupling/vector_units.hpp"
 #include "solver/fluid/composite/intergrid.hpp"
 #include "solver/fluid/composite/sweep.hpp"
-#include "solver/coupling/vector_units.hpp"
 
 namespace capstan {
 namespace {
@@ -24,17 +24,9 @@ IndexBox row_box(const IndexBox& box, const RowSpan& span, int y, int z) {
 
 /// q = c (p + undisturbed) in a row's span.
 template <class T>
-[[gnu::always_inline]] inline void weigh_row(const T* __restrict c, const T* __restrict p, T* __restrict q,
-                                             const RowSpan& span, T undisturbed) {
+CAPSTAN_VECTOR_UNITS void weigh(const T* __restrict c, const T* __restrict p, T* __restrict q,
+                                const RowSpan& span, T undisturbed) {
   for (int i = span.first; i < span.last; ++i) q[i] = c[i] * (p[i] + undisturbed);
-}
-CAPSTAN_VECTOR_UNITS void weigh(const float* c, const float* p, float* q, const RowSpan& span,
-                                float undisturbed) {
-  weigh_row(c, p, q, span, undisturbed);
-}
-CAPSTAN_VECTOR_UNITS void weigh(const double* c, const double* p, double* q, const RowSpan& span,
-                                double undisturbed) {
-  weigh_row(c, p, q, span, undisturbed);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <array>
 #include <utility>
 
-#include "solver/fluid/lattice/d3q19.hpp"
 #include "solver/coupling/vector_units.hpp"
+#include "solver/fluid/lattice/d3q19.hpp"
 
 namespace capstan {
 namespace {
