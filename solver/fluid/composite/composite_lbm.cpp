@@ -68,7 +68,7 @@ template <class T>
 void CompositeLbm<T>::make_grids(const std::vector<IndexBox>& boxes) {
   for (int grid = 0; grid < int(boxes.size()); ++grid)
     grids_.emplace_back(boxes[grid], domain_.box(grid), domain_.rules(), options_.dx * (1 << grid),
-                        viscosity_.has_value(), kRelaxation);
+                        options_.Re, viscosity_.has_value(), kRelaxation);
 }
 
 template <class T>
@@ -100,7 +100,7 @@ void CompositeLbm<T>::put_forces(const Points& forces) {
   for (std::size_t grid = 0; grid < grids_.size(); ++grid) {
     if (grid + 1 < grids_.size()) grids_[grid].interpolate_ghosts(grids_[grid + 1]);
     grids_[grid].clear_force();
-    grids_[grid].set_convection(options_.Re);
+    grids_[grid].add_convection();
   }
   grids_.front().add_force(force_);
 }

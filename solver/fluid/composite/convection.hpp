@@ -1,16 +1,15 @@
 #pragma once
-// Momentum that is carried with the flow: small where the quasi-steady method holds, so it is taken from the
-// flow as it stood when a solve began, and enters as a force.
+// How the flow carries its own momentum: Re (u . grad) u, of the deviation from the undisturbed flow with itself.
+// What the undisturbed flow has to do with grows with the distance from its centre and is part of every sweep
+// (sweep.hpp). This rest is of the order Re times the deviation, small everywhere, and kept over a solve like a
+// force.
 #include "solver/fluid/composite/row_field.hpp"
 
 namespace capstan {
 
-/// out = defect - inertia (u . grad) u, differences over one cell on either side; `out` may be `defect`.
-/// \param moments   deviation from the shear flow (y, 0, 0), ghosts filled
-/// \param dx        spacing / a
-/// \param inertia   Re nu dx / a, nu = 1/6: the velocity of a k in lattice units
+/// defect of momentum -= inertia (g . grad) g in a field of moments, by central differences; ghosts are used.
+/// \param inertia Re nu dx / a
 template <class T>
-void subtract_convection(const RowField<T>& moments, double dx, double inertia, const RowField<T>& defect,
-                         RowField<T>& out);
+void subtract_convection(const RowField<T>& moments, double inertia, RowField<T>& defect);
 
 }  // namespace capstan

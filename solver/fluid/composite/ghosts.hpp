@@ -24,10 +24,14 @@ struct SideRules {
 struct Parity {
   std::span<const int> wall, mirror, half_turn;
 };
-extern const Parity kMomentParity, kStressParity;
+extern const Parity kMomentParity, kStressParity, kScalarParity;
 
 /// Fills the ghosts of all sides but the interpolated ones, edges and corners included.
 template <class T>
 void fill_ghosts(RowField<T>& field, const SideRules& rules, const Parity& parity);
+
+/// Copies the ghost rows of the interpolated sides of y and z (those of x stand in the rows of cells).
+template <class T>
+void copy_interpolated(const RowField<T>& from, RowField<T>& to, const SideRules& rules);
 
 }  // namespace capstan

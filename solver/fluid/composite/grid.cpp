@@ -32,17 +32,18 @@ Strides strides_of(const RowField<T>& field) {
 
 template <class T>
 Grid<T>::Grid(const IndexBox& box, const IndexBox& domain, const SideRules& domain_rules, double dx,
-              bool has_stress, const Relaxation& relaxation)
+              double Re, bool has_stress, const Relaxation& relaxation)
     : domain_(domain),
       domain_rules_(domain_rules),
       dx_(dx),
+      inertia_(Re * kAmbientViscosity * dx),
       relaxation_(relaxation),
       rules_(rules_of(box)),
       f_(box, kMoments),
       out_(box, kMoments),
       defect_(box, kMoments),
       before_(box, kMoments) {
-  if (has_stress) stress_.emplace(box, rules_, couette_stress(dx));
+  if (has_stress) stress_.emplace(box, rules_);
 }
 
 template <class T>
@@ -60,21 +61,29 @@ SideRules Grid<T>::rules_of(const IndexBox& box) const {
 template <class T>
 void Grid<T>::sweep(double keep, double blend, double p_keep, double p_blend) {
   fill_ghosts(f_, rules_, kMomentParity);
-  if (stress_) stress_->update_q();
-  if (inertia_ > 0) subtract_convection(f_, dx_, inertia_, defect_, with_inertia_);
-  const RowField<T>& defect = inertia_ > 0 ? with_inertia_ : defect_;
+  if (stress_) stress_->fill_ghosts();
   for_each_row(box(), [&](int y, int z) {
-    FluidRow<T> row{f_.row(0, y, z), defect.row(0, y, z), out_.row(0, y, z),
-                    strides_of(f_),  box().size(0),       T(keep),
-                    T(blend)};
-    sweep_fluid(row);
-    const RowSpan span = stress_ ? stress_->span(y, z) : RowSpan{};
-    if (span.empty()) return;
+    const FluidRow<T> row{.m = f_.row(0, y, z),
+                          .defect = defect_.row(0, y, z),
+                          .out = out_.row(0, y, z),
+                          .strides = strides_of(f_),
+                          .count = box().size(0),
+                          .keep = T(keep),
+                          .blend = T(blend),
+                          .shear = T(inertia_ * (y + 0.5) * dx_ / 2),
+                          .lift = T(inertia_ * dx_)};
+    if (!stress_ || !stress_->has(y, z)) return sweep_fluid(row);
     StressField<T>& s = *stress_;
-    row.m += span.first, row.defect += span.first, row.out += span.first, row.count = span.last - span.first;
-    sweep_stress(StressRow<T>{row, s.q.row(0, y, z) + span.first, s.p.row(0, y, z) + span.first,
-                              s.defect.row(0, y, z) + span.first, s.out.row(0, y, z) + span.first,
-                              strides_of(s.p), T(p_keep), T(p_blend)});
+    sweep_stress(StressRow<T>{.fluid = row,
+                              .contrast = s.c.row(0, y, z),
+                              .contrast_strides = strides_of(s.c),
+                              .p = s.p.row(0, y, z),
+                              .p_defect = s.defect.row(0, y, z),
+                              .p_out = s.out.row(0, y, z),
+                              .stress_strides = strides_of(s.p),
+                              .p_keep = T(p_keep),
+                              .p_blend = T(p_blend),
+                              .undisturbed = T(couette_stress(dx_))});
   });
 }
 
@@ -83,6 +92,7 @@ void Grid<T>::relax() {
   const double gamma = relaxation_.gamma[sweep_parity_];
   sweep_parity_ = 1 - sweep_parity_;
   sweep(1 - gamma, gamma, 1 - relaxation_.p, relaxation_.p);
+  copy_interpolated(f_, out_, rules_);
   std::swap(f_, out_);
   if (stress_) std::swap(stress_->p, stress_->out);
 }
@@ -157,10 +167,8 @@ void Grid<T>::correct_from(Grid& coarse) {
 template <class T>
 void Grid<T>::take_change() {
   fill_ghosts(f_, rules_, kMomentParity);
-  take_difference(f_, start_);
-  if (!stress_) return;
-  fill_ghosts(stress_->p, rules_, kStressParity);
-  take_difference(stress_->p, stress_->start);
+  take_difference(f_.data(), start_.data());
+  if (stress_) stress_->take_change();
 }
 
 template <class T>
@@ -176,7 +184,6 @@ void Grid<T>::interpolate_ghosts(const Grid& coarse) {
       layer.lo[axis] = side == 0 ? box().lo[axis] - 1 : box().hi[axis];
       layer.hi[axis] = layer.lo[axis] + 1;
       interpolate(coarse.f_, f_, layer, kStateToFine);
-      copy_cells(f_, out_, layer);  // a sweep writes no ghosts, so both buffers have them
     }
     if (is_interpolated(axis, 0)) --wide.lo[axis];
     if (is_interpolated(axis, 1)) ++wide.hi[axis];
@@ -199,29 +206,23 @@ void Grid<T>::add_force(const VectorBox& force) {
   });
 }
 
-// Kept from the start of a solve, convection is a fixed point's iteration with the factor Re h^2 over a grid
-// of half-height h, where the undisturbed flow has the velocity h: around the capsule small, in a large box
-// beyond 1.
 template <class T>
-void Grid<T>::set_convection(double Re) {
-  constexpr double kMostKept = 0.5;
-  const double inertia = Re * kAmbientViscosity * dx_, h = dx_ * box().hi[1];
-  inertia_ = Re * h * h > kMostKept ? inertia : 0;
-  if (inertia_ > 0 && with_inertia_.empty()) with_inertia_ = defect_;
-  if (inertia_ > 0 || Re == 0) return;
+void Grid<T>::add_convection() {
+  if (inertia_ == 0) return;
   fill_ghosts(f_, rules_, kMomentParity);
-  subtract_convection(f_, dx_, inertia, defect_, defect_);
+  subtract_convection(f_, inertia_, defect_);
 }
 
 template <class T>
 void Grid<T>::extrapolate(double weight) {
-  extrapolate_field(f_, before_, weight);
+  capstan::extrapolate(f_.data(), before_.data(), weight);
   if (stress_) stress_->extrapolate(kStressExtrapolation * weight);
 }
 
 template <class T>
 void Grid<T>::move_to(const IndexBox& new_box, Grid& coarse) {
-  Grid moved(new_box, domain_, domain_rules_, dx_, stress_.has_value(), relaxation_);
+  Grid moved(new_box, domain_, domain_rules_, dx_, 0, stress_.has_value(), relaxation_);
+  moved.inertia_ = inertia_;
   moved.sweep_parity_ = sweep_parity_;
   fill_ghosts(coarse.f_, coarse.rules_, kMomentParity);
   fill_ghosts(coarse.before_, coarse.rules_, kMomentParity);

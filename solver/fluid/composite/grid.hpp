@@ -25,8 +25,8 @@ class Grid {
  public:
   /// \param domain all cells of this spacing; a grid that covers it has no interpolated sides
   /// \param dx     spacing / a
-  Grid(const IndexBox& box, const IndexBox& domain, const SideRules& domain_rules, double dx, bool has_stress,
-       const Relaxation& relaxation);
+  Grid(const IndexBox& box, const IndexBox& domain, const SideRules& domain_rules, double dx, double Re,
+       bool has_stress, const Relaxation& relaxation);
 
   const IndexBox& box() const { return f_.box(); }
   bool is_whole() const { return box() == domain_; }
@@ -43,10 +43,8 @@ class Grid {
   /// sweep).
   void clear_force();
   void add_force(const VectorBox& force);
-  /// What carries momentum with the flow (convection.hpp): taken from the flow as it stands and kept like a
-  /// force, or, where it outweighs viscosity over the grid, from the flow before each sweep. After
-  /// clear_force().
-  void set_convection(double Re);
+  /// The part of convection that is kept over a solve (convection.hpp), from the flow as it stands.
+  void add_convection();
 
   /// Linear in time: f <- f + weight (f - before), before <- f.
   void extrapolate(double weight);
@@ -79,12 +77,11 @@ class Grid {
   IndexBox domain_;
   SideRules domain_rules_;
   double dx_;
+  double inertia_;  ///< Re nu dx / a
   Relaxation relaxation_;
   int sweep_parity_ = 0;
   SideRules rules_;
   RowField<T> f_, out_, defect_, start_, before_;
-  double inertia_ = 0;        ///< Re nu dx / a where convection is part of every sweep, else 0
-  RowField<T> with_inertia_;  ///< D and convection, where it is
   std::optional<StressField<T>> stress_;
 };
 

@@ -6,7 +6,8 @@ namespace capstan {
 namespace {
 
 template <class T>
-CAPSTAN_VECTOR_UNITS void extrapolate(T* __restrict now, T* __restrict before, std::size_t count, T weight) {
+CAPSTAN_VECTOR_UNITS void extrapolate_numbers(T* __restrict now, T* __restrict before, std::size_t count,
+                                              T weight) {
   for (std::size_t i = 0; i < count; ++i) {
     const T at_this_time = now[i];
     now[i] += weight * (at_this_time - before[i]);
@@ -15,25 +16,24 @@ CAPSTAN_VECTOR_UNITS void extrapolate(T* __restrict now, T* __restrict before, s
 }
 
 template <class T>
-CAPSTAN_VECTOR_UNITS void subtract(const T* __restrict now, T* __restrict start, std::size_t count) {
+CAPSTAN_VECTOR_UNITS void subtract_numbers(const T* __restrict now, T* __restrict start, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) start[i] = now[i] - start[i];
 }
 
 }  // namespace
 
-template <class T>
-void extrapolate_field(RowField<T>& now, RowField<T>& before, double weight) {
-  extrapolate(now.data().data(), before.data().data(), now.data().size(), T(weight));
+void extrapolate(std::span<float> now, std::span<float> before, double weight) {
+  extrapolate_numbers(now.data(), before.data(), now.size(), float(weight));
+}
+void extrapolate(std::span<double> now, std::span<double> before, double weight) {
+  extrapolate_numbers(now.data(), before.data(), now.size(), weight);
 }
 
-template <class T>
-void take_difference(const RowField<T>& now, RowField<T>& start) {
-  subtract(now.data().data(), start.data().data(), now.data().size());
+void take_difference(std::span<const float> now, std::span<float> start) {
+  subtract_numbers(now.data(), start.data(), now.size());
 }
-
-template void extrapolate_field(RowField<float>&, RowField<float>&, double);
-template void extrapolate_field(RowField<double>&, RowField<double>&, double);
-template void take_difference(const RowField<float>&, RowField<float>&);
-template void take_difference(const RowField<double>&, RowField<double>&);
+void take_difference(std::span<const double> now, std::span<double> start) {
+  subtract_numbers(now.data(), start.data(), now.size());
+}
 
 }  // namespace capstan

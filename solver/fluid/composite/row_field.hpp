@@ -1,15 +1,15 @@
 #pragma once
 // A few numbers a cell over a box of cells with one layer of ghosts around it. Rows along x are contiguous,
 // and the components of one row stand behind each other: a sweep meets its neighbours' numbers in few places
-// of memory.
+// of memory. Rows begin, with the ghost before the first cell, where cache lines do, and are padded to whole
+// lines: loops over them take whole vector registers. What the padding holds has no meaning.
 #include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "solver/fluid/composite/index_box.hpp"
+#include "solver/fluid/lattice/huge_pages.hpp"
 
 namespace capstan {
 
@@ -36,6 +36,10 @@ class RowField {
   std::ptrdiff_t y_stride() const { return std::ptrdiff_t(pitch_) * components_; }
   std::ptrdiff_t z_stride() const { return y_stride() * (box_.size(1) + 2); }
 
+  /// All components of a row, with ghosts and padding.
+  std::span<T> whole_row(int y, int z) { return {row(0, y, z) - 1, std::size_t(y_stride())}; }
+  std::span<const T> whole_row(int y, int z) const { return {row(0, y, z) - 1, std::size_t(y_stride())}; }
+
   std::span<T> data() { return data_; }
   std::span<const T> data() const { return data_; }
 
@@ -49,7 +53,7 @@ class RowField {
 
   IndexBox box_;
   int components_ = 0, pitch_ = 0;
-  std::vector<T, Eigen::aligned_allocator<T>> data_;
+  std::vector<T, HugePageAllocator<T>> data_;
 };
 
 /// Copies a region of cells that both fields have, in their boxes or ghosts.
@@ -68,12 +72,14 @@ void copy_cells(const RowField<T>& from, RowField<T>& to) {
   copy_cells(from, to, intersection(from.box(), to.box()));
 }
 
+// Number by number, of whole fields or whole rows.
+
 /// now <- now + weight (now - before), before <- now.
-template <class T>
-void extrapolate_field(RowField<T>& now, RowField<T>& before, double weight);
+void extrapolate(std::span<float> now, std::span<float> before, double weight);
+void extrapolate(std::span<double> now, std::span<double> before, double weight);
 
 /// start <- now - start.
-template <class T>
-void take_difference(const RowField<T>& now, RowField<T>& start);
+void take_difference(std::span<const float> now, std::span<float> start);
+void take_difference(std::span<const double> now, std::span<double> start);
 
 }  // namespace capstan

@@ -12,153 +12,144 @@ namespace {
 
 constexpr std::array<double, kStresses> kToCoarse = {2, 2, 2, 2, 2}, kToFine = {0.5, 0.5, 0.5, 0.5, 0.5};
 
-RowSpan united(const RowSpan& a, const RowSpan& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {std::min(a.first, b.first), std::max(a.last, b.last)};
+/// Cells of `box` in one row.
+IndexBox row_of(const IndexBox& box, int y, int z) {
+  return {{box.lo[0], y, z}, {box.hi[0], y + 1, z + 1}};
 }
 
-IndexBox row_box(const IndexBox& box, const RowSpan& span, int y, int z) {
-  return {{box.lo[0] + span.first, y, z}, {box.lo[0] + span.last, y + 1, z + 1}};
-}
-
-/// q = c (p + undisturbed) in a row's span.
+/// c = 1 - s = 1 - 1/(3 nu + 1/2) with nu = ratio/6; whether any is not 0.
 template <class T>
-CAPSTAN_VECTOR_UNITS void weigh(const T* __restrict c, const T* __restrict p, T* __restrict q,
-                                const RowSpan& span, T undisturbed) {
-  for (int i = span.first; i < span.last; ++i) q[i] = c[i] * (p[i] + undisturbed);
+CAPSTAN_VECTOR_UNITS bool put_contrast(const double* ratio, T* __restrict c, int count) {
+  int contrasts = 0;
+  for (int i = 0; i < count; ++i) {
+    c[i] = T(1 - 2 / (1 + ratio[i]));
+    contrasts += c[i] != 0;
+  }
+  return contrasts > 0;
+}
+
+template <class T>
+CAPSTAN_VECTOR_UNITS void clear_where_none(const T* __restrict c, T* __restrict numbers, int count) {
+  for (int i = 0; i < count; ++i) numbers[i] = c[i] != 0 ? numbers[i] : T(0);
+}
+
+/// defect += restricted - residual
+template <class T>
+CAPSTAN_VECTOR_UNITS void add_difference(const T* __restrict restricted, const T* __restrict residual,
+                                         T* __restrict defect, int count) {
+  for (int i = 0; i < count; ++i) defect[i] += restricted[i] - residual[i];
 }
 
 }  // namespace
 
 template <class T>
-StressField<T>::StressField(const IndexBox& box, const SideRules& rules, double couette_stress)
+StressField<T>::StressField(const IndexBox& box, const SideRules& rules)
     : p(box, kStresses),
       out(box, kStresses),
       before(box, kStresses),
       start(box, kStresses),
       defect(box, kStresses),
-      q(box, kStresses),
       c(box, 1),
       rules_(rules),
-      couette_stress_(T(couette_stress)),
-      spans_(std::size_t(box.size(1)) * box.size(2), RowSpan{0, box.size(0)}) {}
+      rows_(std::size_t(box.size(1)) * box.size(2), true) {}
 
 template <class T>
 void StressField<T>::set_viscosity(const ScalarBox& viscosity) {
   std::ranges::fill(c.data(), T(0));
-  const IndexBox& box = c.box();
+  const int first = viscosity.lo()[0] - c.box().lo[0];
+  std::vector<char> contrasts(rows_.size(), false);
   viscosity.for_each_row([&](int y, int z) {
-    T* row = c.row(0, y, z) + (viscosity.lo()[0] - box.lo[0]);
-    const double* ratio = viscosity.row(0, y, z);  // s = 1/(3 nu + 1/2) with nu = ratio/6
-    for (int i = 0; i < viscosity.size()[0]; ++i) row[i] = T(1 - 2 / (1 + ratio[i]));
+    contrasts[row_index(y, z)] =
+        put_contrast(viscosity.row(0, y, z), c.row(0, y, z) + first, viscosity.size()[0]);
   });
-  clear_outside(find_spans());
+  capstan::fill_ghosts(c, rules_, kScalarParity);
+  const std::vector<char> rows = rows_near(contrasts);
+  clear_rows_outside(rows);
+  rows_ = rows;
 }
 
 template <class T>
-std::vector<RowSpan> StressField<T>::find_spans() const {
+std::vector<char> StressField<T>::rows_near(const std::vector<char>& rows) const {
   const IndexBox& box = c.box();
-  std::vector<RowSpan> contrast(spans_.size()), spans(spans_.size());
+  std::vector<char> near(rows.size(), false);
   for (int z = box.lo[2]; z < box.hi[2]; ++z)
     for (int y = box.lo[1]; y < box.hi[1]; ++y) {
-      const T* row = c.row(0, y, z);
-      RowSpan& span = contrast[row_index(y, z)];
-      for (int i = 0; i < box.size(0); ++i)
-        if (row[i] != 0) span = united(span, {i, i + 1});
+      if (!rows[row_index(y, z)]) continue;
+      // all children of the parents of the rows around
+      const int first_y = (y - 1) & ~1, last_y = (y + 1) | 1, first_z = (z - 1) & ~1, last_z = (z + 1) | 1;
+      for (int near_z = std::max(first_z, box.lo[2]); near_z <= std::min(last_z, box.hi[2] - 1); ++near_z)
+        for (int near_y = std::max(first_y, box.lo[1]); near_y <= std::min(last_y, box.hi[1] - 1); ++near_y)
+          near[row_index(near_y, near_z)] = true;
     }
-  const auto contrast_at = [&](int y, int z) {
-    const bool inside = y >= box.lo[1] && y < box.hi[1] && z >= box.lo[2] && z < box.hi[2];
-    return inside ? contrast[row_index(y, z)] : RowSpan{};
-  };
-  for (int z = box.lo[2]; z < box.hi[2]; ++z)
-    for (int y = box.lo[1]; y < box.hi[1]; ++y) {
-      RowSpan& span = spans[row_index(y, z)];
-      const int first_y = y & ~1, first_z = z & ~1;  // the older sibling
-      for (int near_z = first_z - 1; near_z <= first_z + 2; ++near_z)
-        for (int near_y = first_y - 1; near_y <= first_y + 2; ++near_y)
-          span = united(span, contrast_at(near_y, near_z));
-      if (span.empty()) continue;
-      const int lo = box.lo[0];
-      span.first = std::max(0, ((span.first + lo - 1) & ~1) - lo);
-      span.last = std::min(box.size(0), ((span.last + lo + 2) & ~1) - lo);
-    }
-  return spans;
+  return near;
 }
 
-/// What was in a span and is no longer becomes zero.
 template <class T>
-void StressField<T>::clear_outside(const std::vector<RowSpan>& spans) {
-  for_each_span([&](const RowSpan& old, int y, int z) {
-    const RowSpan now = spans[row_index(y, z)];
-    for (RowField<T>* field : {&p, &out, &start, &defect, &q, &before})
-      for (int k = 0; k < kStresses; ++k) {
-        T* row = field->row(k, y, z);
-        std::fill(row + old.first, row + std::clamp(now.first, old.first, old.last), T(0));
-        std::fill(row + std::clamp(now.last, old.first, old.last), row + old.last, T(0));
-      }
+void StressField<T>::clear_rows_outside(const std::vector<char>& rows) {
+  for_each_row([&](int y, int z) {
+    if (rows[row_index(y, z)]) return;
+    for (RowField<T>* field : {&p, &out, &start, &defect, &before})
+      std::ranges::fill(field->whole_row(y, z), T(0));
   });
-  spans_ = spans;
 }
 
 template <class T>
 void StressField<T>::clear_defect() {
-  for_each_span([&](const RowSpan& span, int y, int z) {
-    for (int k = 0; k < kStresses; ++k)
-      std::fill_n(defect.row(k, y, z) + span.first, span.last - span.first, T(0));
-  });
+  for_each_row([&](int y, int z) { std::ranges::fill(defect.whole_row(y, z), T(0)); });
 }
 
 template <class T>
-void StressField<T>::update_q() {
-  for_each_span([&](const RowSpan& span, int y, int z) {
-    const T* contrast = c.row(0, y, z);
-    for (int k = 0; k < kStresses; ++k)
-      weigh(contrast, p.row(k, y, z), q.row(k, y, z), span, k == kXY ? couette_stress_ : T(0));
-  });
-  fill_ghosts(q, rules_, kStressParity);
+void StressField<T>::fill_ghosts() {
+  capstan::fill_ghosts(p, rules_, kStressParity);
 }
 
 template <class T>
 void StressField<T>::restrict_to(StressField& coarse) const {
-  coarse.for_each_span([&](const RowSpan& span, int y, int z) {
-    average_children(p, coarse.p, row_box(coarse.c.box(), span, y, z), kToCoarse);
-  });
+  const IndexBox covered = coarsened(c.box());
+  coarse.for_each_row(
+      [&](int y, int z) { average_children(p, coarse.p, row_of(covered, y, z), kToCoarse); });
 }
 
 /// D = I P - P**(I m) + I' r, where `out` holds the residuals of both grids. Those of cells without contrast
 /// are left out: their stress has no effect.
 template <class T>
 void StressField<T>::take_defect(StressField& fine) {
-  fine.for_each_span([&](const RowSpan& span, int y, int z) {
-    const T* contrast = fine.c.row(0, y, z);
-    for (int k = 0; k < kStresses; ++k) {
-      T* row = fine.out.row(k, y, z);
-      for (int i = span.first; i < span.last; ++i) row[i] = contrast[i] != 0 ? row[i] : T(0);
-    }
+  fine.for_each_row([&](int y, int z) {
+    for (int k = 0; k < kStresses; ++k)
+      clear_where_none(fine.c.row(0, y, z), fine.out.row(k, y, z), fine.c.box().size(0));
   });
-  for_each_span([&](const RowSpan& span, int y, int z) {
-    average_children(fine.out, start, row_box(c.box(), span, y, z), kToCoarse);
-    for (int k = 0; k < kStresses; ++k) {
-      T* row = defect.row(k, y, z);
-      const T *residual = out.row(k, y, z), *restricted = start.row(k, y, z);
-      for (int i = span.first; i < span.last; ++i) row[i] += restricted[i] - residual[i];
-    }
+  const IndexBox covered = coarsened(fine.c.box());
+  const int first = covered.lo[0] - c.box().lo[0];
+  for_each_row([&](int y, int z) {
+    average_children(fine.out, start, row_of(covered, y, z), kToCoarse);
+    for (int k = 0; k < kStresses; ++k)
+      add_difference(start.row(k, y, z) + first, out.row(k, y, z) + first, defect.row(k, y, z) + first,
+                     covered.size(0));
+    std::ranges::copy(p.whole_row(y, z), start.whole_row(y, z).begin());
   });
-  start = p;
+}
+
+template <class T>
+void StressField<T>::take_change() {
+  for_each_row([&](int y, int z) { take_difference(p.whole_row(y, z), start.whole_row(y, z)); });
+  capstan::fill_ghosts(start, rules_, kStressParity);
 }
 
 template <class T>
 void StressField<T>::correct_from(const StressField& coarse) {
-  for_each_span([&](const RowSpan& span, int y, int z) {
-    add_linear(coarse.start, p, row_box(c.box(), span, y, z), kToFine);
-  });
+  for_each_row([&](int y, int z) { add_linear(coarse.start, p, row_of(c.box(), y, z), kToFine); });
 }
 
 template <class T>
 void StressField<T>::copy_from(const StressField& other) {
   copy_cells(other.p, p);
   copy_cells(other.before, before);
+}
+
+template <class T>
+void StressField<T>::extrapolate(double weight) {
+  for_each_row(
+      [&](int y, int z) { capstan::extrapolate(p.whole_row(y, z), before.whole_row(y, z), weight); });
 }
 
 template class StressField<float>;

@@ -7,62 +7,54 @@
 
 namespace capstan {
 
-/// Cells first <= x < last of one row; empty when equal.
-struct RowSpan {
-  int first = 0, last = 0;
-  bool empty() const { return first >= last; }
-};
-
-/// P, and c = 1 - s, on one grid. Both live in the cells that `span` tells; elsewhere all is zero.
+/// P, and c = 1 - s, on one grid. Both live in the rows that `has` tells; elsewhere all is zero.
 template <class T>
 class StressField {
  public:
-  StressField(const IndexBox& box, const SideRules& rules, double couette_stress);
+  StressField(const IndexBox& box, const SideRules& rules);
 
-  /// New viscosities over ambient ones, 1 outside of `viscosity`. Spans are the cells of another viscosity,
-  /// with all that stand next to one and their siblings: those that a coarser grid asks for.
+  /// New viscosities over ambient ones, 1 outside of `viscosity`. Stresses live in the rows with a cell of
+  /// another viscosity, in all that stand next to one, and in their siblings: those that a coarser grid asks for.
   void set_viscosity(const ScalarBox& viscosity);
 
-  void clear_defect();
+  bool has(int y, int z) const { return rows_[row_index(y, z)]; }
 
-  /// Q = c (P + P of the undisturbed flow), ghosts included.
-  void update_q();
-
-  RowSpan span(int y, int z) const { return spans_[row_index(y, z)]; }
-
-  template <class Visit>  // visit(span, y, z)
-  void for_each_span(Visit visit) const {
+  template <class Visit>  // visit(y, z)
+  void for_each_row(Visit visit) const {
     const IndexBox& box = c.box();
     for (int z = box.lo[2]; z < box.hi[2]; ++z)
       for (int y = box.lo[1]; y < box.hi[1]; ++y)
-        if (!span(y, z).empty()) visit(span(y, z), y, z);
+        if (has(y, z)) visit(y, z);
   }
+
+  void clear_defect();
+  void fill_ghosts();
 
   // Between this grid and the coarser one, after the moments: see Grid.
   void restrict_to(StressField& coarse) const;
   void take_defect(StressField& fine);
+  void take_change();
   void correct_from(const StressField& coarse);
   /// The stresses of another box's cells, where both have them.
   void copy_from(const StressField& other);
 
   /// Linear in time: P <- P + weight (P - before), before <- P.
-  void extrapolate(double weight) { extrapolate_field(p, before, weight); }
+  void extrapolate(double weight);
 
-  /// P, its next values, its values at the last solve and at the start of a multigrid visit, its defect; Q.
-  RowField<T> p, out, before, start, defect, q;
-  RowField<T> c;  ///< 1 - s
+  /// P, its next values, its values at the last solve and at the start of a multigrid visit, its defect.
+  RowField<T> p, out, before, start, defect;
+  RowField<T> c;  ///< 1 - s, with ghosts
 
  private:
   std::size_t row_index(int y, int z) const {
     const IndexBox& box = c.box();
     return std::size_t(z - box.lo[2]) * box.size(1) + std::size_t(y - box.lo[1]);
   }
-  std::vector<RowSpan> find_spans() const;
-  void clear_outside(const std::vector<RowSpan>& spans);
+  std::vector<char> rows_near(const std::vector<char>& rows) const;
+  void clear_rows_outside(const std::vector<char>& rows);
 
   SideRules rules_;
-  T couette_stress_;
-  std::vector<RowSpan> spans_;
+  std::vector<char> rows_;
 };
 
 }  // namespace capstan

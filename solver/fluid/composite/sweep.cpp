@@ -1,155 +1,247 @@
 #include "solver/fluid/composite/sweep.hpp"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "solver/coupling/vector_units.hpp"
-#include "solver/fluid/lattice/d3q19.hpp"
 
 namespace capstan {
 namespace {
 
-constexpr int kBlock =
-    126;  // cells of a row at a time: with their neighbours 128, and what they send fits into the cache
-constexpr int kLanes = 16;  // of the widest registers: loops over whole registers need no remainder
+constexpr int kLanes = 16;   // numbers of the widest register: loops over whole registers need no remainder
+constexpr int kBlock = 256;  // of a row at a time: what they send fits into the cache
 
-/// 36 times what the cells of a block, x = -1 ... count, send along x: to the right, to the left, and to the
-/// same x.
-template <class T>
-struct Sent {
-  T right[3][kBlock + 2], left[3][kBlock + 2], across[3][kBlock + 2];
+/// Loops run over the numbers of a row as they stand in memory, from the ghost before the first cell to the end
+/// of the padding: whole registers, which begin where cache lines do. What comes out where no cell is, is
+/// dropped.
+struct Block {
+  int first, last;  ///< to be written
+  int from, to;     ///< that send to them
 };
-enum { kSentRho, kSentGy, kSentGz };
 
-/// First half of (b): sums over the rows around, cell by cell. Sources y -+ 1 stand for e_y = +-1, likewise
-/// z. The sums of what goes to the right serve rho and g_x alike. 36 w_i is 12, 2 along an axis, 1 along a
-/// diagonal.
+int padded(int cells) { return (cells + 2 + kLanes - 1) & ~(kLanes - 1); }
+
+/// The block that begins at a number of a row of so many.
+[[gnu::always_inline]] inline Block block_at(int first, int numbers) {
+  const int last = std::min(first + kBlock, numbers);
+  return {first, last, std::max(first - kLanes, 0), std::min(last + kLanes, numbers)};
+}
+
+/// How the number at i is relaxed: where no cell is, it stays.
 template <class T>
-[[gnu::always_inline]] inline void gather(const T* __restrict m, const Strides& s, int count, Sent<T>& sent) {
-  const T *rho = m - 1, *gx = rho + s.component, *gy = gx + s.component, *gz = gy + s.component;
-  const int padded = (count + 2 + kLanes - 1) & ~(kLanes - 1);  // rows are padded, too
-  for (int i = 0; i < padded; ++i) {
-    const auto at = [i](const T* field, std::ptrdiff_t offset) { return field[i + offset]; };
-    const T rho_y = at(rho, -s.y) + at(rho, s.y), rho_dy = at(rho, -s.y) - at(rho, s.y);
-    const T rho_z = at(rho, -s.z) + at(rho, s.z), rho_dz = at(rho, -s.z) - at(rho, s.z);
-    const T gx_y = at(gx, -s.y) + at(gx, s.y), gx_dy = at(gx, -s.y) - at(gx, s.y);
-    const T gx_z = at(gx, -s.z) + at(gx, s.z), gx_dz = at(gx, -s.z) - at(gx, s.z);
-    const T gy_y = at(gy, -s.y) + at(gy, s.y), gy_dy = at(gy, -s.y) - at(gy, s.y);
-    const T gz_z = at(gz, -s.z) + at(gz, s.z), gz_dz = at(gz, -s.z) - at(gz, s.z);
+struct Weights {
+  T keep, blend;
+};
+template <class T>
+[[gnu::always_inline]] inline Weights<T> weights_at(int i, int cells, T keep, T blend) {
+  const bool is_cell = unsigned(i - 1) < unsigned(cells);
+  return {is_cell ? keep : T(1), is_cell ? blend : T(0)};
+}
 
-    const T even = 2 * rho[i] + (rho_y + rho_z) + 3 * (gy_dy + gz_dz), odd = 2 * gx[i] + (gx_y + gx_z);
-    const T even_y = rho_dy + 3 * gy_y, even_z = rho_dz + 3 * gz_z;
-    sent.right[kSentRho][i] = even + 3 * odd;
-    sent.left[kSentRho][i] = even - 3 * odd;
-    sent.right[kSentGy][i] = even_y + 3 * gx_dy;
-    sent.left[kSentGy][i] = even_y - 3 * gx_dy;
-    sent.right[kSentGz][i] = even_z + 3 * gx_dz;
-    sent.left[kSentGz][i] = even_z - 3 * gx_dz;
+/// 36 times what the cells of a block send along x: to the right, to the left, and to the same x.
+template <class T, int kSums, int kSumsAcross>
+struct Sent {
+  static constexpr int kRoom = kBlock + 2 * kLanes;
+  alignas(64) T right[kSums][kRoom], left[kSums][kRoom], across[kSumsAcross][kRoom];
 
-    // e_x = 0: the axes have twice the diagonals' weight, so they are twice the sums above (and 12 = 8 + 2 *
-    // 2)
+  /// Nothing comes from outside of the row's memory.
+  [[gnu::always_inline]] void begin(const Block& block) {
+    for (int k = 0; k < kSums; ++k) right[k][kLanes - 1] = left[k][kLanes + block.last - block.first] = 0;
+  }
+};
+/// Moments of e_y and e_z; those with e_x follow from right and left.
+enum { kSum, kSumY, kSumZ, kSumYY, kSumZZ, kSumYZ };
+template <class T>
+using FluidSent = Sent<T, 3, 3>;
+template <class T>
+using StressSent = Sent<T, 5, 6>;
+
+/// Where the row's numbers begin: at the ghost before the first cell.
+template <class T>
+[[gnu::always_inline]] inline T* begin_of(T* first_cell) {
+  return static_cast<T*>(__builtin_assume_aligned(first_cell - 1, 64));
+}
+
+/// First half of (b) without stresses: sums over the rows around, cell by cell. Sources at y -+ 1 stand for
+/// e_y = +-1, likewise z. 36 w_i is 12, 2 along an axis, 1 along a diagonal. The sums of what goes to the right
+/// serve rho and g_x alike.
+template <class T>
+[[gnu::always_inline]] inline void gather(const FluidRow<T>& row, const Block& block, FluidSent<T>& sent) {
+  const Strides& s = row.strides;
+  const T* __restrict rho = begin_of(row.m);
+  const T *__restrict gx = rho + s.component, *__restrict gy = gx + s.component, *__restrict gz = gy + s.component;
+  const int shift = kLanes - block.first;
+#pragma GCC ivdep
+  for (int i = block.from; i < block.to; ++i) {
+    const auto sum = [&](const T* f, std::ptrdiff_t step) { return f[i - step] + f[i + step]; };
+    const auto difference = [&](const T* f, std::ptrdiff_t step) { return f[i - step] - f[i + step]; };
+    const T even = 2 * rho[i] + (sum(rho, s.y) + sum(rho, s.z)) + 3 * (difference(gy, s.y) + difference(gz, s.z));
+    const T odd = 2 * gx[i] + (sum(gx, s.y) + sum(gx, s.z));
+    const T even_y = difference(rho, s.y) + 3 * sum(gy, s.y), odd_y = difference(gx, s.y);
+    const T even_z = difference(rho, s.z) + 3 * sum(gz, s.z), odd_z = difference(gx, s.z);
+    sent.right[kSum][i + shift] = even + 3 * odd;
+    sent.left[kSum][i + shift] = even - 3 * odd;
+    sent.right[kSumY][i + shift] = even_y + 3 * odd_y;
+    sent.left[kSumY][i + shift] = even_y - 3 * odd_y;
+    sent.right[kSumZ][i + shift] = even_z + 3 * odd_z;
+    sent.left[kSumZ][i + shift] = even_z - 3 * odd_z;
+
+    // e_x = 0: the axes have twice the diagonals' weight, so they are twice the sums above (12 = 8 + 2 * 2)
     const auto phi = [&](int ey, int ez) {
-      const std::ptrdiff_t from = -ey * s.y - ez * s.z;
-      return at(rho, from) + 3 * (T(ey) * at(gy, from) + T(ez) * at(gz, from));
+      const std::ptrdiff_t at = i - ey * s.y - ez * s.z;
+      return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]);
     };
     const T pp = phi(1, 1), pn = phi(1, -1), np = phi(-1, 1), nn = phi(-1, -1);
-    sent.across[kSentRho][i] = 8 * rho[i] + 2 * even + ((pp + pn) + (np + nn));
-    sent.across[kSentGy][i] = 2 * even_y + ((pp + pn) - (np + nn));
-    sent.across[kSentGz][i] = 2 * even_z + ((pp - pn) + (np - nn));
+    sent.across[kSum][i + shift] = 8 * rho[i] + 2 * even + ((pp + pn) + (np + nn));
+    sent.across[kSumY][i + shift] = 2 * even_y + ((pp + pn) - (np + nn));
+    sent.across[kSumZ][i + shift] = 2 * even_z + ((pp - pn) + (np - nn));
   }
 }
 
-/// Second half of (b): what arrives from the left and the right, and the relaxation.
+/// What a cell's neighbours receive from it: phi_i of (a) in parts that do not and that do change sign with e_x.
 template <class T>
-[[gnu::always_inline]] inline void relax(const FluidRow<T>& row, int first, int count, const Sent<T>& sent) {
+struct Phi {
+  T even, odd;
+};
+
+/// First half of (b) with stresses, which need second moments, too.
+template <class T>
+[[gnu::always_inline]] inline void gather(const StressRow<T>& row, const Block& block, StressSent<T>& sent) {
+  const Strides &s = row.fluid.strides, &t = row.stress_strides;
+  const T* __restrict rho = begin_of(row.fluid.m);
+  const T *__restrict gx = rho + s.component, *__restrict gy = gx + s.component, *__restrict gz = gy + s.component;
+  const T* __restrict xx = begin_of(row.p);
+  const T *__restrict yy = xx + t.component, *__restrict xy = yy + t.component, *__restrict xz = xy + t.component,
+          *__restrict yz = xz + t.component;
+  const T* __restrict c = begin_of(row.contrast);
+  const T undisturbed = row.undisturbed;
+  const int shift = kLanes - block.first;
+#pragma GCC ivdep
+  for (int i = block.from; i < block.to; ++i) {
+    // along (e_x, e_y, 0): one of the rows at y -+ 1; 9/2 c is the weight of P in phi
+    const auto in_y = [&](int ey, T& across) {
+      const std::ptrdiff_t at = i - ey * s.y, p_at = i - ey * t.y;
+      const T weight = T(4.5) * c[i - ey * row.contrast_strides.y];
+      across = rho[at] + T(3 * ey) * gy[at] + weight * yy[p_at];
+      return Phi<T>{across + weight * xx[p_at], 3 * gx[at] + T(2 * ey) * weight * (xy[p_at] + undisturbed)};
+    };
+    const auto in_z = [&](int ez, T& across) {
+      const std::ptrdiff_t at = i - ez * s.z, p_at = i - ez * t.z;
+      const T weight = T(4.5) * c[i - ez * row.contrast_strides.z];
+      const T isotropic = rho[at] + T(3 * ez) * gz[at];
+      across = isotropic - weight * (xx[p_at] + yy[p_at]);
+      return Phi<T>{isotropic - weight * yy[p_at], 3 * gx[at] + T(2 * ez) * weight * xz[p_at]};
+    };
+    const auto corner = [&](int ey, int ez) {
+      const std::ptrdiff_t at = i - ey * s.y - ez * s.z, p_at = i - ey * t.y - ez * t.z;
+      const T weight = T(4.5) * c[i - ey * row.contrast_strides.y - ez * row.contrast_strides.z];
+      return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]) + weight * (T(2 * ey * ez) * yz[p_at] - xx[p_at]);
+    };
+    const T axis = T(4.5) * c[i] * xx[i];
+    T yp, yn, zp, zn;
+    const Phi<T> right_yp = in_y(1, yp), right_yn = in_y(-1, yn);
+    const Phi<T> right_zp = in_z(1, zp), right_zn = in_z(-1, zn);
+    const Phi<T> sum_y{right_yp.even + right_yn.even, right_yp.odd + right_yn.odd};
+    const Phi<T> sum_z{right_zp.even + right_zn.even, right_zp.odd + right_zn.odd};
+    const T even = 2 * (rho[i] + axis) + (sum_y.even + sum_z.even), odd = 6 * gx[i] + (sum_y.odd + sum_z.odd);
+    const T even_y = right_yp.even - right_yn.even, odd_y = right_yp.odd - right_yn.odd;
+    const T even_z = right_zp.even - right_zn.even, odd_z = right_zp.odd - right_zn.odd;
+    const auto send = [&](int k, T even_part, T odd_part) {
+      sent.right[k][i + shift] = even_part + odd_part;
+      sent.left[k][i + shift] = even_part - odd_part;
+    };
+    send(kSum, even, odd);
+    send(kSumY, even_y, odd_y), send(kSumZ, even_z, odd_z);
+    send(kSumYY, sum_y.even, sum_y.odd), send(kSumZZ, sum_z.even, sum_z.odd);
+
+    const T pp = corner(1, 1), pn = corner(1, -1), np = corner(-1, 1), nn = corner(-1, -1);
+    const T corners = (pp + pn) + (np + nn), across_yy = 2 * (yp + yn) + corners, across_zz = 2 * (zp + zn) + corners;
+    sent.across[kSum][i + shift] = 12 * rho[i] + 2 * (yp + yn) + across_zz;
+    sent.across[kSumY][i + shift] = 2 * (yp - yn) + ((pp + pn) - (np + nn));
+    sent.across[kSumZ][i + shift] = 2 * (zp - zn) + ((pp - pn) + (np - nn));
+    sent.across[kSumYY][i + shift] = across_yy;
+    sent.across[kSumZZ][i + shift] = across_zz;
+    sent.across[kSumYZ][i + shift] = (pp + nn) - (pn + np);
+  }
+}
+
+/// Second half of (b) for density and momentum: what arrives from the left, from the right and from the same x,
+/// less (c), and the relaxation. Ghosts are handed on.
+template <class T, class Sent>
+[[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block, const Sent& sent) {
   const std::ptrdiff_t k = row.strides.component;
-  const T* __restrict m = row.m + first;
-  const T* __restrict d = row.defect + first;
-  T* __restrict out = row.out + first;
-  const T keep = row.keep, blend = row.blend, blend_sent = row.blend / 36;
-#pragma GCC ivdep  // a sweep writes other memory than it reads
-  for (int i = 0; i < count; ++i) {
-    const T from_left = sent.right[kSentRho][i], from_right = sent.left[kSentRho][i + 2];
-    const T rho = sent.across[kSentRho][i + 1] + (from_left + from_right);
-    const T gx = from_left - from_right;
-    const T gy = sent.across[kSentGy][i + 1] + (sent.right[kSentGy][i] + sent.left[kSentGy][i + 2]);
-    const T gz = sent.across[kSentGz][i + 1] + (sent.right[kSentGz][i] + sent.left[kSentGz][i + 2]);
-    out[i] = keep * m[i] + blend_sent * rho + blend * d[i];
-    out[i + k] = keep * m[i + k] + blend_sent * gx + blend * d[i + k];
-    out[i + 2 * k] = keep * m[i + 2 * k] + blend_sent * gy + blend * d[i + 2 * k];
-    out[i + 3 * k] = keep * m[i + 3 * k] + blend_sent * gz + blend * d[i + 3 * k];
+  const T* __restrict m = begin_of(row.m);
+  const T* __restrict d = begin_of(row.defect);
+  T* __restrict out = begin_of(row.out);
+  const int shift = kLanes - block.first;
+#pragma GCC ivdep
+  for (int i = block.first; i < block.last; ++i) {
+    const Weights<T> weights = weights_at(i, row.count, row.keep, row.blend);
+    const auto from_left = [&](int j) { return sent.right[j][i + shift - 1]; };
+    const auto from_right = [&](int j) { return sent.left[j][i + shift + 1]; };
+    const auto arrived = [&](int j) { return sent.across[j][i + shift] + (from_left(j) + from_right(j)); };
+    const auto put = [&](int j, T sum, T carried) {
+      const std::ptrdiff_t at = i + j * k;
+      out[at] = weights.keep * m[at] + weights.blend * (sum * T(1. / 36) + d[at] - carried);
+    };
+    const auto carried = [&](int j) { return row.shear * (m[i + 1 + j * k] - m[i - 1 + j * k]); };
+    put(kRho, arrived(kSum), 0);
+    put(kGx, from_left(kSum) - from_right(kSum), carried(kGx) + row.lift * m[i + kGy * k]);
+    put(kGy, arrived(kSumY), carried(kGy));
+    put(kGz, arrived(kSumZ), carried(kGz));
+  }
+}
+
+/// The same for the stresses.
+template <class T>
+[[gnu::always_inline]] inline void relax_stress(const StressRow<T>& row, const Block& block,
+                                                const StressSent<T>& sent) {
+  const std::ptrdiff_t k = row.stress_strides.component;
+  const T* __restrict p = begin_of(row.p);
+  const T* __restrict d = begin_of(row.p_defect);
+  T* __restrict out = begin_of(row.p_out);
+  const int shift = kLanes - block.first;
+#pragma GCC ivdep
+  for (int i = block.first; i < block.last; ++i) {
+    const Weights<T> weights = weights_at(i, row.fluid.count, row.p_keep, row.p_blend);
+    const auto from_left = [&](int j) { return sent.right[j][i + shift - 1]; };
+    const auto from_right = [&](int j) { return sent.left[j][i + shift + 1]; };
+    const auto arrived = [&](int j) { return sent.across[j][i + shift] + (from_left(j) + from_right(j)); };
+    const auto put = [&](int j, T sum) {
+      const std::ptrdiff_t at = i + j * k;
+      out[at] = weights.keep * p[at] + weights.blend * (sum * T(1. / 36) + d[at]);
+    };
+    const T sum_xx = from_left(kSum) + from_right(kSum), sum_yy = arrived(kSumYY), sum_zz = arrived(kSumZZ);
+    const T trace = (sum_xx + sum_yy + sum_zz) * T(1. / 3);
+    put(kXX, sum_xx - trace);
+    put(kYY, sum_yy - trace);
+    put(kXY, from_left(kSumY) - from_right(kSumY));
+    put(kXZ, from_left(kSumZ) - from_right(kSumZ));
+    put(kYZ, sent.across[kSumYZ][i + shift]);
   }
 }
 
 template <class T>
 [[gnu::always_inline]] inline void sweep_fluid_row(const FluidRow<T>& row) {
-  alignas(64) Sent<T> sent;
-  for (int first = 0; first < row.count; first += kBlock) {
-    const int count = std::min(kBlock, row.count - first);
-    gather(row.m + first, row.strides, count, sent);
-    relax(row, first, count, sent);
+  FluidSent<T> sent;
+  const int numbers = padded(row.count);
+  for (int first = 0; first < numbers; first += kBlock) {
+    const Block block = block_at(first, numbers);
+    sent.begin(block);
+    gather(row, block, sent);
+    relax(row, block, sent);
   }
 }
 
 template <class T>
-struct Arrived {
-  T rho = 0, gx = 0, gy = 0, gz = 0, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
-};
-
-/// (a) and (b) for one direction; what is multiplied with a component of e that is 0 falls out when this is
-/// compiled.
-template <int q, class T>
-[[gnu::always_inline]] inline void arrive(const T* __restrict m, const Strides& s, const T* __restrict Q,
-                                          const Strides& t, int i, Arrived<T>& sum) {
-  constexpr int ex = d3q19::e[q].x, ey = d3q19::e[q].y, ez = d3q19::e[q].z;
-  constexpr T w = T(d3q19::weight(q));
-  const std::ptrdiff_t at = i - ex - ey * s.y - ez * s.z, stress_at = i - ex - ey * t.y - ez * t.z;
-  T phi = m[at + kRho * s.component];
-  if constexpr (ex != 0) phi += T(3 * ex) * m[at + kGx * s.component];
-  if constexpr (ey != 0) phi += T(3 * ey) * m[at + kGy * s.component];
-  if constexpr (ez != 0) phi += T(3 * ez) * m[at + kGz * s.component];
-  // e_i e_i : Q with Q_zz = -Q_xx - Q_yy
-  if constexpr (ex * ex != ez * ez) phi += T(4.5 * (ex * ex - ez * ez)) * Q[stress_at + kXX * t.component];
-  if constexpr (ey * ey != ez * ez) phi += T(4.5 * (ey * ey - ez * ez)) * Q[stress_at + kYY * t.component];
-  if constexpr (ex * ey != 0) phi += T(9 * ex * ey) * Q[stress_at + kXY * t.component];
-  if constexpr (ex * ez != 0) phi += T(9 * ex * ez) * Q[stress_at + kXZ * t.component];
-  if constexpr (ey * ez != 0) phi += T(9 * ey * ez) * Q[stress_at + kYZ * t.component];
-  const T f = w * phi;
-  sum.rho += f;
-  if constexpr (ex != 0) sum.gx += T(ex) * f, sum.xx += f;
-  if constexpr (ey != 0) sum.gy += T(ey) * f, sum.yy += f;
-  if constexpr (ez != 0) sum.gz += T(ez) * f, sum.zz += f;
-  if constexpr (ex * ey != 0) sum.xy += T(ex * ey) * f;
-  if constexpr (ex * ez != 0) sum.xz += T(ex * ez) * f;
-  if constexpr (ey * ez != 0) sum.yz += T(ey * ez) * f;
-}
-
-template <class T, std::size_t... q>
-[[gnu::always_inline]] inline void sweep_stress_row(const StressRow<T>& row, std::index_sequence<q...>) {
-  const FluidRow<T> fluid = row.fluid;
-  const Strides s = fluid.strides, t = row.stress_strides;
-  const T* __restrict p = row.p;
-  const T* __restrict p_defect = row.p_defect;
-  T* __restrict out = fluid.out;
-  T* __restrict p_out = row.p_out;
-  const T keep = fluid.keep, blend = fluid.blend, p_keep = row.p_keep, p_blend = row.p_blend;
-#pragma GCC ivdep
-  for (int i = 0; i < fluid.count; ++i) {
-    Arrived<T> sum;
-    (arrive<int(q)>(fluid.m, s, row.q, t, i, sum), ...);
-    const T trace = (sum.xx + sum.yy + sum.zz) / 3;
-    const auto relax = [&](int k, T arrived) {
-      const std::ptrdiff_t at = i + k * s.component;
-      out[at] = keep * fluid.m[at] + blend * (arrived + fluid.defect[at]);
-    };
-    const auto relax_stress = [&](int k, T arrived) {
-      const std::ptrdiff_t at = i + k * t.component;
-      p_out[at] = p_keep * p[at] + p_blend * (arrived + p_defect[at]);
-    };
-    relax(kRho, sum.rho), relax(kGx, sum.gx), relax(kGy, sum.gy), relax(kGz, sum.gz);
-    relax_stress(kXX, sum.xx - trace), relax_stress(kYY, sum.yy - trace);
-    relax_stress(kXY, sum.xy), relax_stress(kXZ, sum.xz), relax_stress(kYZ, sum.yz);
+[[gnu::always_inline]] inline void sweep_stress_row(const StressRow<T>& row) {
+  StressSent<T> sent;
+  const int numbers = padded(row.fluid.count);
+  for (int first = 0; first < numbers; first += kBlock) {
+    const Block block = block_at(first, numbers);
+    sent.begin(block);
+    gather(row, block, sent);
+    relax(row.fluid, block, sent);
+    relax_stress(row, block, sent);
   }
 }
 
@@ -157,12 +249,7 @@ template <class T, std::size_t... q>
 
 CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<float>& row) { sweep_fluid_row(row); }
 CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<double>& row) { sweep_fluid_row(row); }
-
-CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<float>& row) {
-  sweep_stress_row(row, std::make_index_sequence<d3q19::kQ>());
-}
-CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<double>& row) {
-  sweep_stress_row(row, std::make_index_sequence<d3q19::kQ>());
-}
+CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<float>& row) { sweep_stress_row(row); }
+CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<double>& row) { sweep_stress_row(row); }
 
 }  // namespace capstan
