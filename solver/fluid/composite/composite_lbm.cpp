@@ -97,10 +97,9 @@ void CompositeLbm<T>::extrapolate_to(double kt) {
 template <class T>
 void CompositeLbm<T>::put_forces(const Points& forces) {
   boundary_.spread(forces, kAmbientViscosity / options_.dx, force_);
-  for (std::size_t grid = 0; grid < grids_.size(); ++grid) {
-    if (grid + 1 < grids_.size()) grids_[grid].interpolate_ghosts(grids_[grid + 1]);
-    grids_[grid].clear_force();
-    grids_[grid].add_convection();
+  for (Grid<T>& grid : grids_) {
+    grid.clear_force();
+    grid.add_convection();
   }
   grids_.front().add_force(force_);
 }

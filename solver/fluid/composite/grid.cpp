@@ -42,6 +42,7 @@ Grid<T>::Grid(const IndexBox& box, const IndexBox& domain, const SideRules& doma
       f_(box, kMoments),
       out_(box, kMoments),
       defect_(box, kMoments),
+      start_(box, kMoments),
       before_(box, kMoments) {
   if (has_stress) stress_.emplace(box, rules_);
 }
@@ -109,7 +110,6 @@ void Grid<T>::restrict_to(Grid& coarse) {
 // own. With the old D in its residual r_H = S(I m) + D - I m, the new one is D - r_H + I' r.
 template <class T>
 void Grid<T>::take_defect(Grid& fine) {
-  if (start_.empty()) start_ = f_;
   sweep_residual();
   const IndexBox inner = covered_stencils(fine);
   average_children(fine.out_, start_, inner, kResidualToCoarse);
@@ -220,18 +220,26 @@ void Grid<T>::extrapolate(double weight) {
 }
 
 template <class T>
-void Grid<T>::move_to(const IndexBox& new_box, Grid& coarse) {
-  Grid moved(new_box, domain_, domain_rules_, dx_, 0, stress_.has_value(), relaxation_);
-  moved.inertia_ = inertia_;
-  moved.sweep_parity_ = sweep_parity_;
-  fill_ghosts(coarse.f_, coarse.rules_, kMomentParity);
-  fill_ghosts(coarse.before_, coarse.rules_, kMomentParity);
-  interpolate(coarse.f_, moved.f_, new_box, kStateToFine);
-  interpolate(coarse.before_, moved.before_, new_box, kStateToFine);
-  copy_cells(f_, moved.f_);
-  copy_cells(before_, moved.before_);
-  if (stress_) moved.stress_->copy_from(*stress_);
-  *this = std::move(moved);
+void Grid<T>::move_to(const IndexBox& box, Grid& coarse) {
+  rules_ = rules_of(box);
+  for (auto [fine, parents] : {std::pair{&f_, &coarse.f_}, std::pair{&before_, &coarse.before_}}) {
+    fill_ghosts(*parents, coarse.rules_, kMomentParity);
+    out_.reset(box);
+    interpolate(*parents, out_, with_interpolated_ghosts(box), kStateToFine);
+    copy_cells(*fine, out_);
+    std::swap(*fine, out_);
+  }
+  for (RowField<T>* field : {&out_, &defect_, &start_}) field->reset(box);
+  if (stress_) stress_->move_to(box, rules_);
+}
+
+template <class T>
+IndexBox Grid<T>::with_interpolated_ghosts(IndexBox box) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (rules_.side[axis][0] == SideRule::interpolated) --box.lo[axis];
+    if (rules_.side[axis][1] == SideRule::interpolated) ++box.hi[axis];
+  }
+  return box;
 }
 
 template <class T>

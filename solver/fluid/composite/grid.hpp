@@ -49,11 +49,9 @@ class Grid {
   /// Linear in time: f <- f + weight (f - before), before <- f.
   void extrapolate(double weight);
 
-  /// The same grid over another box. What was not covered is interpolated from the coarser grid.
+  /// The same grid over another box. What was not covered, and its ghosts, are interpolated from the coarser
+  /// grid.
   void move_to(const IndexBox& box, Grid& coarse);
-
-  /// Ghosts of the sides that are interpolated.
-  void interpolate_ghosts(const Grid& coarse);
 
   /// g in the cells of a box inside this grid (units a k, without the shear flow).
   void momentum(VectorBox& box) const;
@@ -72,6 +70,8 @@ class Grid {
   void take_change();
   IndexBox covered_stencils(const Grid& fine) const;
   void subtract_mean_mass_defect();
+  void interpolate_ghosts(const Grid& coarse);
+  IndexBox with_interpolated_ghosts(IndexBox box) const;
   SideRules rules_of(const IndexBox& box) const;
 
   IndexBox domain_;

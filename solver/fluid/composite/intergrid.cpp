@@ -4,50 +4,128 @@
 #include <array>
 #include <vector>
 
-#include "solver/fluid/composite/for_each_row.hpp"
 #include "solver/coupling/vector_units.hpp"
+#include "solver/fluid/composite/for_each_row.hpp"
 
 namespace capstan {
 namespace {
+
+constexpr int kBlock = 256;  // fine numbers of a row at a time
 
 /// A child's centre stands a quarter of a coarse cell from its parent's: at -1/4 for even indices, +1/4 for
 /// odd ones.
 constexpr double side_of(int child) { return (child & 1) ? 0.25 : -0.25; }
 
 /// Weights of the parent's neighbour before it, itself, and the one behind: the parabola through the three.
-constexpr std::array<double, 3> parabola(int child) {
+template <class T>
+struct Parabola {
+  T before, at, behind;
+};
+template <class T>
+constexpr Parabola<T> parabola(int child) {
   const double t = side_of(child);
-  return {t * (t - 1) / 2, 1 - t * t, t * (t + 1) / 2};
+  return {T(t * (t - 1) / 2), T(1 - t * t), T(t * (t + 1) / 2)};
 }
 
+/// Fine rows of the four children of a row of coarse cells, and that row; components behind each other.
 template <class T>
-CAPSTAN_VECTOR_UNITS void average_row(const std::array<const T*, 4>& rows, T* __restrict out,
-                                               int count, T factor) {
-  const T* __restrict a = rows[0], * __restrict b = rows[1], * __restrict c = rows[2], * __restrict d = rows[3];
-#pragma GCC ivdep
-  for (int i = 0; i < count; ++i)
-    out[i] = factor * ((a[2 * i] + a[2 * i + 1]) + (b[2 * i] + b[2 * i + 1]) + (c[2 * i] + c[2 * i + 1]) +
-                       (d[2 * i] + d[2 * i + 1]));
-}
+struct Family {
+  std::array<const T*, 4> children;
+  T* parents;
+  std::ptrdiff_t child_component, parent_component;
+  int parent_count;
+};
 
-/// out (children of the cells 0 ... count - 1) += interpolation of the four rows around, the nearest first.
 template <class T>
-CAPSTAN_VECTOR_UNITS void add_linear_row(const std::array<const T*, 4>& rows, T* __restrict out,
-                                                  int count, T factor) {
-  constexpr int kBlock = 128;
-  T along[kBlock + 2];
-  for (int first = 0; first < count; first += kBlock) {
-    const int n = std::min(kBlock, count - first);
-    const T* __restrict a = rows[0] + first, * __restrict b = rows[1] + first, * __restrict c = rows[2] + first, * __restrict d = rows[3] + first;
-#pragma GCC ivdep
-    for (int i = -1; i <= n; ++i) along[i + 1] = factor * (T(9) * a[i] + T(3) * (b[i] + c[i]) + d[i]);
-    T* __restrict children = out + 2 * first;
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      children[2 * i] += T(0.75) * along[i + 1] + T(0.25) * along[i];
-      children[2 * i + 1] += T(0.75) * along[i + 1] + T(0.25) * along[i + 2];
+CAPSTAN_VECTOR_UNITS void average_rows(const Family<T>& family, std::span<const double> factors) {
+  alignas(64) T sums[kBlock];
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    const auto child = [&](int which) { return family.children[which] + std::ptrdiff_t(k) * family.child_component; };
+    T* __restrict parents = family.parents + std::ptrdiff_t(k) * family.parent_component;
+    const T factor = T(factors[k] / 8);
+    for (int first = 0; first < family.parent_count; first += kBlock / 2) {
+      const int count = std::min(kBlock / 2, family.parent_count - first);
+      const T *__restrict a = child(0) + 2 * first, *__restrict b = child(1) + 2 * first,
+              *__restrict c = child(2) + 2 * first, *__restrict d = child(3) + 2 * first;
+      for (int i = 0; i < 2 * count; ++i) sums[i] = (a[i] + b[i]) + (c[i] + d[i]);
+      for (int i = 0; i < count; ++i) parents[first + i] = factor * (sums[2 * i] + sums[2 * i + 1]);
     }
   }
+}
+
+/// Coarse rows around a fine one, the nearest first, and that row.
+template <class T>
+struct Surroundings {
+  std::array<const T*, 4> coarse;
+  T* fine;
+  std::ptrdiff_t coarse_component, fine_component;
+  int coarse_count;
+};
+
+template <class T>
+CAPSTAN_VECTOR_UNITS void add_linear_rows(const Surroundings<T>& around, std::span<const double> factors) {
+  alignas(64) T along[kBlock / 2 + 2], change[kBlock];
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    const auto row = [&](int which) { return around.coarse[which] + std::ptrdiff_t(k) * around.coarse_component; };
+    const T factor = T(factors[k] / 64);
+    for (int first = 0; first < around.coarse_count; first += kBlock / 2) {
+      const int count = std::min(kBlock / 2, around.coarse_count - first);
+      const T *__restrict a = row(0) + first - 1, *__restrict b = row(1) + first - 1,
+              *__restrict c = row(2) + first - 1, *__restrict d = row(3) + first - 1;
+      for (int i = 0; i < count + 2; ++i) along[i] = factor * (9 * a[i] + 3 * (b[i] + c[i]) + d[i]);
+      for (int i = 0; i < count; ++i) {
+        change[2 * i] = 3 * along[i + 1] + along[i];
+        change[2 * i + 1] = 3 * along[i + 1] + along[i + 2];
+      }
+      T* __restrict fine = around.fine + std::ptrdiff_t(k) * around.fine_component + 2 * first;
+      for (int i = 0; i < 2 * count; ++i) fine[i] += change[i];
+    }
+  }
+}
+
+/// Rows of numbers over two axes; the rows of the inner one stand behind each other.
+template <class R>
+struct RowGrid {
+  R* first;
+  std::ptrdiff_t inner_stride, outer_stride;
+  int inner, outer;
+
+  R* row(int i, int j) const { return first + i * inner_stride + j * outer_stride; }
+};
+
+/// In x: all children of `parents` cells of each row.
+template <class T>
+CAPSTAN_VECTOR_UNITS void interpolate_in_x(const RowGrid<const T>& coarse, std::ptrdiff_t component, int parents,
+                                           std::span<const double> factors, const RowGrid<T>& out) {
+  constexpr Parabola<T> even = parabola<T>(0), odd = parabola<T>(1);
+  for (int j = 0; j < coarse.outer; ++j)
+    for (int i = 0; i < coarse.inner; ++i)
+      for (std::size_t k = 0; k < factors.size(); ++k) {
+        const T* __restrict row = coarse.row(i, j) + std::ptrdiff_t(k) * component;
+        T* __restrict children = out.row(i, j) + 2 * std::ptrdiff_t(k) * parents;
+        const T factor = T(factors[k]);
+        for (int x = 0; x < parents; ++x) {
+          children[2 * x] = factor * (even.before * row[x - 1] + even.at * row[x] + even.behind * row[x + 1]);
+          children[2 * x + 1] = factor * (odd.before * row[x - 1] + odd.at * row[x] + odd.behind * row[x + 1]);
+        }
+      }
+}
+
+/// In the inner axis: the rows of the children `first` ... of parents whose rows, with a neighbour on each side,
+/// are given.
+template <class T>
+CAPSTAN_VECTOR_UNITS void interpolate_between_rows(const RowGrid<const T>& parents, int first, int count,
+                                                   const RowGrid<T>& out) {
+  for (int j = 0; j < out.outer; ++j)
+    for (int i = 0; i < out.inner; ++i) {
+      const Parabola<T> weights = parabola<T>(first + i);
+      const int at = 1 + parent(first + i) - parent(first);
+      const T *__restrict before = parents.row(at - 1, j), *__restrict middle = parents.row(at, j),
+              *__restrict behind = parents.row(at + 1, j);
+      T* __restrict row = out.row(i, j);
+      for (int x = 0; x < count; ++x)
+        row[x] = weights.before * before[x] + weights.at * middle[x] + weights.behind * behind[x];
+    }
 }
 
 }  // namespace
@@ -57,10 +135,13 @@ void average_children(const RowField<T>& fine, RowField<T>& coarse, const IndexB
                       std::span<const double> factors) {
   const int fine_x = 2 * region.lo[0] - fine.box().lo[0], coarse_x = region.lo[0] - coarse.box().lo[0];
   for_each_row(region, [&](int y, int z) {
-    for (int k = 0; k < coarse.components(); ++k)
-      average_row<T>({fine.row(k, 2 * y, 2 * z) + fine_x, fine.row(k, 2 * y + 1, 2 * z) + fine_x,
-               fine.row(k, 2 * y, 2 * z + 1) + fine_x, fine.row(k, 2 * y + 1, 2 * z + 1) + fine_x},
-              coarse.row(k, y, z) + coarse_x, region.size(0), T(factors[k] / 8));
+    const auto child = [&](int dy, int dz) { return fine.row(0, 2 * y + dy, 2 * z + dz) + fine_x; };
+    average_rows(Family<T>{{child(0, 0), child(1, 0), child(0, 1), child(1, 1)},
+                           coarse.row(0, y, z) + coarse_x,
+                           fine.component_stride(),
+                           coarse.component_stride(),
+                           region.size(0)},
+                 factors);
   });
 }
 
@@ -71,51 +152,45 @@ void add_linear(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& re
   for_each_row(region, [&](int y, int z) {
     const int Y = parent(y), Z = parent(z), near_Y = (y & 1) ? Y + 1 : Y - 1,
               near_Z = (z & 1) ? Z + 1 : Z - 1;
-    for (int k = 0; k < fine.components(); ++k)
-      add_linear_row<T>({coarse.row(k, Y, Z) + coarse_x, coarse.row(k, near_Y, Z) + coarse_x,
-               coarse.row(k, Y, near_Z) + coarse_x, coarse.row(k, near_Y, near_Z) + coarse_x},
-              fine.row(k, y, z) + fine_x, region.size(0) / 2, T(factors[k] / 16));
+    const auto row = [&](int at_y, int at_z) { return coarse.row(0, at_y, at_z) + coarse_x; };
+    add_linear_rows(Surroundings<T>{{row(Y, Z), row(near_Y, Z), row(Y, near_Z), row(near_Y, near_Z)},
+                                    fine.row(0, y, z) + fine_x,
+                                    coarse.component_stride(),
+                                    fine.component_stride(),
+                                    region.size(0) / 2},
+                    factors);
   });
 }
 
-// Direction by direction: x in the coarse rows that are needed, then y, then z.
+// Direction by direction: x in the coarse rows that are needed, then y, then z. Of every parent in x all children
+// are made, and those of the region taken in the end.
 template <class T>
 void interpolate(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& region,
                  std::span<const double> factors) {
-  const IndexBox needed = grown(coarsened(region), 1);
-  const int nx = region.size(0), ny = region.size(1), NY = needed.size(1), NZ = needed.size(2);
-  std::vector<T> along_x(std::size_t(nx) * NY * NZ), along_y(std::size_t(nx) * ny * NZ);
-  for (int k = 0; k < fine.components(); ++k) {
-    for (int Z = 0; Z < NZ; ++Z)
-      for (int Y = 0; Y < NY; ++Y) {
-        const T* row = coarse.row(k, needed.lo[1] + Y, needed.lo[2] + Z) - coarse.box().lo[0];
-        T* out = &along_x[(std::size_t(Z) * NY + Y) * nx];
-        for (int i = 0; i < nx; ++i) {
-          const int x = region.lo[0] + i, X = parent(x);
-          const auto w = parabola(x);
-          out[i] = T(factors[k]) * (T(w[0]) * row[X - 1] + T(w[1]) * row[X] + T(w[2]) * row[X + 1]);
-        }
+  const IndexBox parents = coarsened(region), needed = grown(parents, 1);
+  const int K = fine.components(), nx = 2 * parents.size(0), ny = region.size(1), nz = region.size(2);
+  const int NY = needed.size(1), NZ = needed.size(2);
+  const std::ptrdiff_t numbers = std::ptrdiff_t(K) * nx;
+  thread_local std::vector<T> along_x, along_y, children;
+  along_x.resize(numbers * NY * NZ), along_y.resize(numbers * ny * NZ), children.resize(numbers * ny * nz);
+
+  const T* first_row =
+      coarse.row(0, needed.lo[1], needed.lo[2]) + (parents.lo[0] - coarse.box().lo[0]);
+  interpolate_in_x(RowGrid<const T>{first_row, coarse.y_stride(), coarse.z_stride(), NY, NZ},
+                   coarse.component_stride(), parents.size(0), factors,
+                   RowGrid<T>{along_x.data(), numbers, numbers * NY, NY, NZ});
+  interpolate_between_rows(RowGrid<const T>{along_x.data(), numbers, numbers * NY, NY, NZ}, region.lo[1],
+                           int(numbers), RowGrid<T>{along_y.data(), numbers, numbers * ny, ny, NZ});
+  interpolate_between_rows(RowGrid<const T>{along_y.data(), numbers * ny, numbers, NZ, ny}, region.lo[2],
+                           int(numbers), RowGrid<T>{children.data(), numbers * ny, numbers, nz, ny});
+  const T* child = children.data() + (region.lo[0] - 2 * parents.lo[0]);
+  for (int z = region.lo[2]; z < region.hi[2]; ++z)
+    for (int y = region.lo[1]; y < region.hi[1]; ++y)
+      for (int k = 0; k < K; ++k, child += nx) {
+        T* row = fine.row(k, y, z) + (region.lo[0] - fine.box().lo[0]);
+        row[0] = child[0];  // all there is of a ghost layer of x
+        if (region.size(0) > 1) std::copy_n(child + 1, region.size(0) - 1, row + 1);
       }
-    for (int Z = 0; Z < NZ; ++Z)
-      for (int j = 0; j < ny; ++j) {
-        const int y = region.lo[1] + j, Y = parent(y) - needed.lo[1];
-        const auto w = parabola(y);
-        const T* rows = &along_x[(std::size_t(Z) * NY + Y) * nx];
-        T* out = &along_y[(std::size_t(Z) * ny + j) * nx];
-        for (int i = 0; i < nx; ++i)
-          out[i] = T(w[0]) * rows[i - nx] + T(w[1]) * rows[i] + T(w[2]) * rows[i + nx];
-      }
-    const std::ptrdiff_t plane = std::ptrdiff_t(nx) * ny;
-    for (int z = region.lo[2]; z < region.hi[2]; ++z)
-      for (int j = 0; j < ny; ++j) {
-        const int Z = parent(z) - needed.lo[2];
-        const auto w = parabola(z);
-        const T* rows = &along_y[std::size_t(Z) * plane + std::size_t(j) * nx];
-        T* out = fine.row(k, region.lo[1] + j, z) + (region.lo[0] - fine.box().lo[0]);
-        for (int i = 0; i < nx; ++i)
-          out[i] = T(w[0]) * rows[i - plane] + T(w[1]) * rows[i] + T(w[2]) * rows[i + plane];
-      }
-  }
 }
 
 #define CAPSTAN_INSTANTIATE(T)                                                                          \

@@ -17,11 +17,14 @@ template <class T>
 class RowField {
  public:
   RowField() = default;
-  RowField(const IndexBox& box, int components)
-      : box_(box),
-        components_(components),
-        pitch_((box.size(0) + 2 + kLane - 1) / kLane * kLane),
-        data_(std::size_t(pitch_) * components * (box.size(1) + 2) * (box.size(2) + 2) + kLane, T(0)) {}
+  RowField(const IndexBox& box, int components) : components_(components) { reset(box); }
+
+  /// Zero, over another box; in the memory it has, where that suffices.
+  void reset(const IndexBox& box) {
+    box_ = box;
+    pitch_ = (box.size(0) + 2 + kLane - 1) / kLane * kLane;
+    data_.assign(std::size_t(pitch_) * components_ * (box.size(1) + 2) * (box.size(2) + 2) + kLane, T(0));
+  }
 
   const IndexBox& box() const { return box_; }
   int components() const { return components_; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "solver/coupling/vector_units.hpp"
 #include "solver/fluid/composite/intergrid.hpp"
@@ -141,9 +142,15 @@ void StressField<T>::correct_from(const StressField& coarse) {
 }
 
 template <class T>
-void StressField<T>::copy_from(const StressField& other) {
-  copy_cells(other.p, p);
-  copy_cells(other.before, before);
+void StressField<T>::move_to(const IndexBox& box, const SideRules& rules) {
+  rules_ = rules;
+  for (RowField<T>* field : {&p, &before}) {
+    out.reset(box);
+    copy_cells(*field, out);
+    std::swap(*field, out);
+  }
+  for (RowField<T>* field : {&out, &start, &defect, &c}) field->reset(box);
+  rows_.assign(std::size_t(box.size(1)) * box.size(2), true);
 }
 
 template <class T>

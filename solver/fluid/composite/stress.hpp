@@ -35,8 +35,8 @@ class StressField {
   void take_defect(StressField& fine);
   void take_change();
   void correct_from(const StressField& coarse);
-  /// The stresses of another box's cells, where both have them.
-  void copy_from(const StressField& other);
+  /// Keeps the stresses of the cells that both boxes have.
+  void move_to(const IndexBox& box, const SideRules& rules);
 
   /// Linear in time: P <- P + weight (P - before), before <- P.
   void extrapolate(double weight);
