@@ -22,7 +22,7 @@ struct Scene {
   Case red = red_cell(0.4, 0.1, 2562, 0.04, 2);
   Icosphere sphere = make_icosphere(4);
   Points initial = initial_positions(red, sphere), positions = initial, forces;
-  Membrane membrane{red, sphere.mesh, initial};
+  Membrane membrane{red, sphere.mesh, initial, Orbits::of(initial)};
 
   Scene() {
     positions.row(0) += 0.1 * initial.row(1);
@@ -75,7 +75,7 @@ void print_cycles(const Scene& scene, bool json) {
 void print_step(const Scene& scene, bool json) {
   const GridGeometry grid{Vec3::Constant(0.05), 0.1};
   SymmetricBoundary boundary(grid, scene.orbits(true));
-  ViscosityField viscosity(grid, scene.sphere.mesh);
+  ViscosityField viscosity(grid, scene.sphere.mesh, scene.orbits(true));
   CompositeLbm<float> flow(scene.sphere.mesh, scene.orbits(true), {.V = 4});
   Points forces, u;
   flow.solve(0, scene.positions, scene.forces, u);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "solver/mesh/curvature.hpp"
 #include "solver/mesh/geometry.hpp"
@@ -14,13 +15,14 @@ double smoothed_heaviside(double distance_in_cells) {
   return 0.5 * (1 + s + std::sin(std::numbers::pi * s) / std::numbers::pi);
 }
 
+ViscosityField::ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits)
+    : grid_(grid), orbits_(std::move(orbits)), patch_(patch_around(orbits_.representatives(), 1, mesh)) {}
+
 // Along a row of cells the band of known distances is met before the other side is, so a cell beyond the band
 // is on the side of the last cell that was in it.
 void ViscosityField::update(const Points& positions, double ambient, double inner, ScalarBox& viscosity) {
-  normals_ = vertex_normals(positions, mesh_.faces);
-  curvature_ = mean_curvature(mesh_.faces, positions, normals_).cwiseMax(-1 / grid_.dx).cwiseMin(1 / grid_.dx);
-  nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach(positions), viscosity.lo(),
-                viscosity.size());
+  measure_surface(positions);
+  nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach_, viscosity.lo(), viscosity.size());
   viscosity.for_each_row([&](int y, int z) {
     double outside = 1;
     const int* nearest = nearest_.row(y, z);
@@ -38,6 +40,15 @@ void ViscosityField::update(const Points& positions, double ambient, double inne
   });
 }
 
+void ViscosityField::measure_surface(const Points& positions) {
+  const Points of_patch = patch_.restrict(positions), normals = vertex_normals(of_patch, patch_.mesh.faces);
+  const Scalars curvature = mean_curvature(patch_.mesh.faces, of_patch, normals);
+  const Eigen::Index count = Eigen::Index(orbits_.representatives().size());
+  normals_ = orbits_.extend(normals.leftCols(count));
+  curvature_ = orbits_.extend_scalars(curvature.head(count)).cwiseMax(-1 / grid_.dx).cwiseMin(1 / grid_.dx);
+  reach_ = reach(of_patch);
+}
+
 // The surface near a vertex is its osculating sphere of curvature kappa: with r the offset, p = r.n and t^2 =
 // r^2 - p^2
 //   d = (2 p + kappa r^2) / (1 + sqrt((1 + kappa p)^2 + kappa^2 t^2)).
@@ -51,11 +62,11 @@ double ViscosityField::signed_distance(const Vec3& offset, int vertex) const {
 
 /// A cell within two spacings of the surface is within this of a vertex (0.58: centre of an equilateral
 /// triangle).
-double ViscosityField::reach(const Points& positions) const {
+double ViscosityField::reach(const Points& of_patch) const {
   double longest2 = 0;
-  for (const Edge& edge : mesh_.edges)
+  for (const Edge& edge : patch_.mesh.edges)
     longest2 =
-        std::max(longest2, (positions.col(edge.vertices[0]) - positions.col(edge.vertices[1])).squaredNorm());
+        std::max(longest2, (of_patch.col(edge.vertices[0]) - of_patch.col(edge.vertices[1])).squaredNorm());
   return 2 + 0.58 * std::min(std::sqrt(longest2) / grid_.dx, 4.0);
 }
 

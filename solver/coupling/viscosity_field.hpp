@@ -4,7 +4,8 @@
 #include "solver/coupling/cell_box.hpp"
 #include "solver/coupling/immersed_boundary.hpp"
 #include "solver/coupling/nearest_vertices.hpp"
-#include "solver/mesh/triangle_mesh.hpp"
+#include "solver/mesh/in_plane_symmetry.hpp"
+#include "solver/mesh/surface_patch.hpp"
 
 namespace capstan {
 
@@ -13,20 +14,24 @@ double smoothed_heaviside(double distance_in_cells);
 
 class ViscosityField {
  public:
-  ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh) : grid_(grid), mesh_(mesh) {}
+  /// \param orbits of all positions to come
+  ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits);
 
   /// viscosity = mu_c + (mu_a - mu_c) H(d) in the cells of the box, which must contain the capsule.
   void update(const Points& positions, double ambient, double inner, ScalarBox& viscosity);
 
  private:
-  double reach(const Points& positions) const;  ///< in cells
+  void measure_surface(const Points& positions);
+  double reach(const Points& of_patch) const;  ///< in cells
   double signed_distance(const Vec3& offset, int vertex) const;
 
   GridGeometry grid_;
-  const TriangleMesh& mesh_;
+  Orbits orbits_;
+  SurfacePatch patch_;  ///< around the representatives
   NearestVertices nearest_;
-  Points normals_;
-  Scalars curvature_;
+  Points normals_;     ///< of all vertices
+  Scalars curvature_;  ///< likewise
+  double reach_ = 0;
 };
 
 }  // namespace capstan

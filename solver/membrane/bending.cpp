@@ -9,25 +9,28 @@
 namespace capstan {
 namespace {
 
-/// The spontaneous curvature at every vertex. \param initial #V: 2H of the reference
-Scalars spontaneous_curvature(const Case& c, const TriangleMesh& mesh, const Points& reference, const Scalars& initial) {
-  if (const double* number = std::get_if<double>(&c.c0)) return Scalars::Constant(initial.size(), *number);
+/// 2H of the reference, as the model of the case measures it.
+Scalars initial_curvature(const Case& c, const TriangleMesh& mesh, const Points& reference) {
+  if (c.bending == BendingModel::variational) return FoldedSurface(mesh, reference).total_curvatures;
+  return 2 * fit_quadrics(mesh, reference).mean;
+}
+
+}  // namespace
+
+Scalars spontaneous_curvature(const Case& c, const TriangleMesh& mesh, const Points& reference) {
+  if (const double* number = std::get_if<double>(&c.c0)) return Scalars::Constant(reference.cols(), *number);
+  const Scalars initial = initial_curvature(c, mesh, reference);
   if (std::holds_alternative<InitialCurvature>(c.c0)) return initial;
   const Scalars areas = vertex_areas(reference, mesh.faces);
   return Scalars::Constant(initial.size(), initial.dot(areas) / areas.sum());
 }
 
-}  // namespace
-
-std::unique_ptr<Bending> make_bending(const Case& c, const TriangleMesh& mesh, const Points& reference,
+std::unique_ptr<Bending> make_bending(const Case& c, const TriangleMesh& mesh, const Scalars& spontaneous_curvature,
                                       double modulus) {
   if (!c.has_bending()) return nullptr;
-  if (c.bending == BendingModel::variational) {
-    const Scalars c0 = spontaneous_curvature(c, mesh, reference, FoldedSurface(mesh, reference).total_curvatures);
-    return std::make_unique<JuelicherBending>(mesh, c0, modulus);
-  }
-  const Scalars c0 = spontaneous_curvature(c, mesh, reference, 2 * fit_quadrics(mesh, reference).mean);
-  return std::make_unique<HelfrichLiteralBending>(mesh, c0, modulus);
+  if (c.bending == BendingModel::variational)
+    return std::make_unique<JuelicherBending>(mesh, spontaneous_curvature, modulus);
+  return std::make_unique<HelfrichLiteralBending>(mesh, spontaneous_curvature, modulus);
 }
 
 }  // namespace capstan

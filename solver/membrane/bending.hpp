@@ -24,9 +24,12 @@ class Bending {
   virtual std::optional<double> energy(const Points& positions) const = 0;
 };
 
-/// The model the case asks for, nothing if it has no bending. \param reference 3 x #V, for c0 "initial"
-/// \param modulus E_B = E_b a^2 E_s
-std::unique_ptr<Bending> make_bending(const Case& c, const TriangleMesh& mesh, const Points& reference,
+/// #V: c0 of a case on its whole surface. \param reference 3 x #V, for c0 "initial" and its mean
+Scalars spontaneous_curvature(const Case& c, const TriangleMesh& mesh, const Points& reference);
+
+/// The model a case asks for, nothing if it has no bending. \param mesh the surface or a part of it
+/// \param spontaneous_curvature of its vertices   \param modulus E_B = E_b a^2 E_s
+std::unique_ptr<Bending> make_bending(const Case& c, const TriangleMesh& mesh, const Scalars& spontaneous_curvature,
                                       double modulus);
 
 }  // namespace capstan

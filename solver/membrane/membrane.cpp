@@ -1,18 +1,34 @@
 #include "solver/membrane/membrane.hpp"
 
-namespace capstan {
+#include <utility>
 
-Membrane::Membrane(const Case& c, const TriangleMesh& mesh, const Points& reference)
-    : in_plane_(mesh.faces, reference, make_strain_law(c), 1 / c.Ca),
-      bending_(make_bending(c, mesh, reference, c.E_b / c.Ca)) {}
+namespace capstan {
+namespace {
+
+/// The force on a vertex depends on the curvature at its neighbours, and that on all faces around them. Bending
+/// read literally fits surfaces to rings, and wants the whole.
+constexpr int kRings = 2;
+
+}  // namespace
+
+Membrane::Membrane(const Case& c, const TriangleMesh& mesh, const Points& reference, Orbits orbits)
+    : orbits_(c.bending == BendingModel::variational ? std::move(orbits)
+                                                     : Orbits::without_symmetry(mesh.vertex_count())),
+      patch_(patch_around(orbits_.representatives(), kRings, mesh)),
+      in_plane_(patch_.mesh.faces, patch_.restrict(reference), make_strain_law(c), 1 / c.Ca),
+      bending_(make_bending(c, patch_.mesh, spontaneous_curvature(c, mesh, reference)(patch_.vertices),
+                            c.E_b / c.Ca)) {}
 
 void Membrane::forces(const Points& positions, Points& forces) const {
-  forces.setZero(3, positions.cols());
-  in_plane_.add_forces(positions, forces);
-  if (bending_) bending_->add_forces(positions, forces);
+  const Points of_patch = patch_.restrict(positions);
+  Points on_patch = Points::Zero(3, of_patch.cols());
+  in_plane_.add_forces(of_patch, on_patch);
+  if (bending_) bending_->add_forces(of_patch, on_patch);
+  forces = orbits_.extend(on_patch.leftCols(Eigen::Index(orbits_.representatives().size())));
 }
 
 std::optional<double> Membrane::energy(const Points& positions) const {
+  if (!orbits_.are_trivial()) return std::nullopt;
   const std::optional<double> bending = bending_ ? bending_->energy(positions) : 0.0;
   if (!bending) return std::nullopt;
   return in_plane_.energy(positions) + *bending;

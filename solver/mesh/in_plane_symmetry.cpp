@@ -1,5 +1,6 @@
 #include "solver/mesh/in_plane_symmetry.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -12,6 +13,9 @@ Key key(const Vec3& x) { return {x[0], x[1], x[2]}; }
 
 /// Mirror z -> -z, half-turn about z, and both.
 const std::array<Vec3, 3> kSymmetries = {Vec3(1, 1, -1), Vec3(-1, -1, 1), Vec3(-1, -1, -1)};
+
+/// The quarter that has one image of every point.
+bool is_in_quarter(const Vec3& x) { return x.z() >= 0 && (x.y() > 0 || (x.y() == 0 && x.x() >= 0)); }
 
 std::map<Key, int> vertices_by_position(const Points& positions) {
   std::map<Key, int> vertices;
@@ -26,7 +30,7 @@ Orbits Orbits::of(const Points& positions) {
   Orbits orbits;
   orbits.images_.assign(size_t(positions.cols()), {-1, Vec3::Ones()});
   for (int vertex = 0; vertex < positions.cols(); ++vertex) {
-    if (orbits.images_[vertex].slot >= 0) continue;
+    if (orbits.images_[vertex].slot >= 0 || !is_in_quarter(positions.col(vertex))) continue;
     const int slot = int(orbits.representatives_.size());
     orbits.representatives_.push_back(vertex);
     orbits.images_[vertex].slot = slot;
@@ -38,6 +42,8 @@ Orbits Orbits::of(const Points& positions) {
       else image.signs = 0.5 * (image.signs + signs);  // its own image twice: only what agrees is possible
     }
   }
+  const auto is_alone = [](const Image& image) { return image.slot < 0; };
+  if (std::ranges::any_of(orbits.images_, is_alone)) return without_symmetry(int(positions.cols()));
   orbits.count_sizes();
   return orbits;
 }
@@ -61,6 +67,13 @@ Points Orbits::extend(const Points& of_representatives) const {
   Points of_vertices(3, vertex_count());
   for (int vertex = 0; vertex < vertex_count(); ++vertex)
     of_vertices.col(vertex) = images_[vertex].signs.cwiseProduct(of_representatives.col(images_[vertex].slot));
+  return of_vertices;
+}
+
+Scalars Orbits::extend_scalars(const Scalars& of_representatives) const {
+  Scalars of_vertices(vertex_count());
+  for (int vertex = 0; vertex < vertex_count(); ++vertex)
+    of_vertices[vertex] = of_representatives[images_[vertex].slot];
   return of_vertices;
 }
 

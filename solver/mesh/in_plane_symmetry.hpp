@@ -16,6 +16,7 @@ class Orbits {
   /// No symmetry: every vertex stands for itself.
   static Orbits without_symmetry(int vertex_count);
 
+  /// All in one quarter of space, so that they are neighbours of each other.
   const std::vector<int>& representatives() const { return representatives_; }
   int vertex_count() const { return int(images_.size()); }
   /// Vertices of one group: 4, or fewer on the mirror or the axis.
@@ -24,9 +25,13 @@ class Orbits {
   /// 3 x #representatives to 3 x #V: vectors of the representatives turned onto their images. What a vertex on
   /// the mirror or the axis cannot have (a velocity out of the plane) is set to zero.
   Points extend(const Points& of_representatives) const;
+  /// #representatives to #V: numbers that are the same in images.
+  Scalars extend_scalars(const Scalars& of_representatives) const;
 
   /// 3 x #V to 3 x #representatives.
   Points restrict(const Points& of_vertices) const { return of_vertices(Eigen::all, representatives_); }
+
+  bool are_trivial() const { return int(representatives_.size()) == vertex_count(); }
 
  private:
   void count_sizes();

@@ -9,19 +9,21 @@
 
 namespace capstan {
 
-namespace {
-
-Orbits orbits_of(const Case& c, const Points& initial) {
-  return c.fidelity.symmetry == Symmetry::automatic ? Orbits::of(initial) : Orbits::without_symmetry(int(initial.cols()));
+Orbits symmetry_of(const Case& c, const Points& initial) {
+  const bool is_kept = c.fluid == Fluid::stokes || c.has_composite_grid();
+  if (!is_kept || c.fidelity.symmetry != Symmetry::automatic) return Orbits::without_symmetry(int(initial.cols()));
+  return Orbits::of(initial);
 }
+
+namespace {
 
 std::unique_ptr<FlowModel> make_quasisteady(const Case& c, const TriangleMesh& mesh, const Points& initial) {
   if (c.fidelity.scheme == Scheme::paper) return std::make_unique<PaperLbm>(c, mesh);
   const CompositeOptions options{
       .dx = c.fidelity.dx, .box = c.fidelity.box, .Re = c.Re, .V = c.V, .tolerance = c.fidelity.tolerance};
   if (c.fidelity.precision == Precision::twofold)
-    return std::make_unique<CompositeLbm<double>>(mesh, orbits_of(c, initial), options);
-  return std::make_unique<CompositeLbm<float>>(mesh, orbits_of(c, initial), options);
+    return std::make_unique<CompositeLbm<double>>(mesh, symmetry_of(c, initial), options);
+  return std::make_unique<CompositeLbm<float>>(mesh, symmetry_of(c, initial), options);
 }
 
 }  // namespace
@@ -33,7 +35,7 @@ std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, co
       return std::make_unique<TransientLbm<float>>(c, mesh);
     case Fluid::stokes:
       return std::make_unique<StokesFlow>(
-          mesh, orbits_of(c, initial),
+          mesh, symmetry_of(c, initial),
           StokesFlow::Options{
               .viscosity_ratio = c.V, .volume = volume(initial, mesh.faces), .tolerance = c.fidelity.tolerance});
     case Fluid::quasisteady:

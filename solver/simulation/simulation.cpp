@@ -51,7 +51,7 @@ Simulation::Simulation(const Case& c)
       forces_(Points::Zero(3, positions_.cols())),
       velocities_(Points::Zero(3, positions_.cols())),
       solved_{Points::Zero(3, positions_.cols()), velocities_},
-      membrane_(c, sphere_.mesh, positions_),
+      membrane_(c, sphere_.mesh, positions_, symmetry_of(c, positions_)),
       flow_(make_flow(c, sphere_.mesh, positions_)),
       stepper_(make_stepper(c)),
       time_(c, flow_->imposed_time_step()),

@@ -87,6 +87,10 @@ class Simulation {
   RunStatistics statistics_;
 };
 
+/// The symmetry that a case's capsule keeps to the last bit: of what the flow model that it asks for solves a
+/// quarter.
+Orbits symmetry_of(const Case& c, const Points& initial);
+
 /// The flow model a case asks for. \param initial 3 x #V, the positions at the start
 std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, const Points& initial);
 

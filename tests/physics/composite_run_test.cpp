@@ -22,7 +22,7 @@ std::vector<double> deformations(bool is_uniform) {
   const Case c = testing::parsed_case(red_cell("2", R"(, "kdt": 0.05)"));
   const Icosphere sphere = make_icosphere(3);
   Points x = initial_positions(c, sphere), forces, u, before;
-  const Membrane membrane(c, sphere.mesh, x);
+  const Membrane membrane(c, sphere.mesh, x, Orbits::of(x));
   CompositeLbm<float> flow(sphere.mesh, Orbits::of(x), {.dx = 0.2, .V = c.V, .is_uniform = is_uniform});
   AdamsBashforth2 stepper;
   std::vector<double> D;

@@ -29,9 +29,9 @@ template <class T>
 CompositeLbm<T>::CompositeLbm(const TriangleMesh& mesh, Orbits orbits, const CompositeOptions& options)
     : options_(options),
       domain_{int(std::lround(options.box / options.dx)), false, options.is_uniform},
-      boundary_(finest_grid(options.dx), std::move(orbits)) {
+      boundary_(finest_grid(options.dx), orbits) {
   domain_.is_quarter = boundary_.has_symmetry();
-  if (options.V != 1) viscosity_.emplace(finest_grid(options.dx), mesh);
+  if (options.V != 1) viscosity_.emplace(finest_grid(options.dx), mesh, std::move(orbits));
 }
 
 template <class T>

@@ -13,7 +13,7 @@ class SymmetricBoundary {
  public:
   SymmetricBoundary(const GridGeometry& grid, Orbits orbits);
 
-  bool has_symmetry() const { return int(orbits_.representatives().size()) < orbits_.vertex_count(); }
+  bool has_symmetry() const { return !orbits_.are_trivial(); }
 
   /// Places the vertices (3 x #V). False when a position is not finite.
   bool place(const Points& positions);

@@ -19,7 +19,8 @@ class Field {
       : grid_{.origin = Vec3::Constant(0.5 * dx - 1.6), .dx = dx} {
     const int n = int(std::lround(3.2 / dx));
     viscosity_.reset({0, 0, 0}, {n, n, n});
-    ViscosityField(grid_, mesh).update(positions, kAmbient, inner, viscosity_);
+    ViscosityField(grid_, mesh, Orbits::without_symmetry(mesh.vertex_count()))
+        .update(positions, kAmbient, inner, viscosity_);
   }
 
   /// visit(cell centre, viscosity)

@@ -35,7 +35,7 @@ struct BentCapsule {
   BentCapsule(int subdivisions, const Case& c)
       : sphere(make_icosphere(subdivisions)),
         initial(initial_positions(c, sphere)),
-        bending(make_bending(c, sphere.mesh, initial, kModulus)) {}
+        bending(make_bending(c, sphere.mesh, spontaneous_curvature(c, sphere.mesh, initial), kModulus)) {}
 
   Points forces(const Points& x) const {
     Points f = Points::Zero(3, x.cols());
@@ -139,7 +139,7 @@ TEST(LiteralBending, AgreesWithTheVariationWhereTheSpontaneousCurvatureIsUniform
 
 TEST(Bending, IsLeftOutWithoutStiffness) {
   const Icosphere sphere = make_icosphere(1);
-  EXPECT_EQ(make_bending(Case{}, sphere.mesh, sphere.directions, 0), nullptr);
+  EXPECT_EQ(make_bending(Case{}, sphere.mesh, Scalars::Zero(sphere.mesh.vertex_count()), 0), nullptr);
 }
 
 }  // namespace

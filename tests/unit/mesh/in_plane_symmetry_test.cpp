@@ -20,6 +20,13 @@ TEST(InPlaneSymmetry, AQuarterOfTheVerticesStandsForAllOfAnInclinedCell) {
   EXPECT_LT(orbits.representatives().size(), 642 / 4 + 40);  // those on the mirror and on the axis have fewer images
 }
 
+TEST(InPlaneSymmetry, RepresentativesStandInOneQuarter) {
+  const Points positions = red_blood_cell(make_icosphere(3));
+  const Points of_representatives = Orbits::of(positions).restrict(positions);
+  EXPECT_GE(of_representatives.row(1).minCoeff(), 0);
+  EXPECT_GE(of_representatives.row(2).minCoeff(), 0);
+}
+
 TEST(InPlaneSymmetry, ExtendingTheRepresentativesGivesTheWholeSurfaceToTheLastBit) {
   const Icosphere sphere = make_icosphere(2);
   const Points positions = red_blood_cell(sphere);

@@ -23,7 +23,7 @@ struct RedCell {
     initial = initial_positions(c, sphere);
     positions = initial;
     positions.row(0) += 0.1 * initial.row(1);
-    Membrane(c, sphere.mesh, initial).forces(positions, forces);
+    Membrane(c, sphere.mesh, initial, whole()).forces(positions, forces);
   }
   Orbits symmetric() const { return Orbits::of(initial); }
   Orbits whole() const { return Orbits::without_symmetry(int(initial.cols())); }
