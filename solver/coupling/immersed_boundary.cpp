@@ -1,6 +1,60 @@
 #include "solver/coupling/immersed_boundary.hpp"
 
+#include "solver/coupling/vector_units.hpp"
+
 namespace capstan {
+namespace {
+
+using Stencil = std::array<DeltaStencil, 3>;
+
+/// A row of the 4 x 4 x 4 cells around a vertex, one vector register where there are such.
+using FourCells [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
+[[gnu::always_inline]] inline FourCells& at(double* cell) { return *reinterpret_cast<FourCells*>(cell); }
+[[gnu::always_inline]] inline const FourCells& at(const double* cell) {
+  return *reinterpret_cast<const FourCells*>(cell);
+}
+
+/// Distances in memory from a cell to its neighbours in y and z, and to the next component.
+struct BoxStrides {
+  std::ptrdiff_t y, z, component;
+};
+
+BoxStrides strides_of(const VectorBox& box) {
+  const auto [nx, ny, nz] = box.size();
+  return {nx, std::ptrdiff_t(nx) * ny, std::ptrdiff_t(nx) * ny * nz};
+}
+
+template <class Box>
+auto* first_cell(Box& box, const Stencil& stencil) {
+  return box.row(0, stencil[1].first, stencil[2].first) + (stencil[0].first - box.lo()[0]);
+}
+
+CAPSTAN_VECTOR_UNITS void spread_one(const Stencil& stencil, const Vec3& force, double* cells,
+                                     const BoxStrides& strides) {
+  const auto& [sx, sy, sz] = stencil;
+  for (int c = 0; c < 3; ++c) {
+    FourCells along;
+    for (int x = 0; x < 4; ++x) along[x] = force[c] * sx.weight[x];
+    for (int z = 0; z < 4; ++z)
+      for (int y = 0; y < 4; ++y)
+        at(cells + c * strides.component + z * strides.z + y * strides.y) += sz.weight[z] * sy.weight[y] * along;
+  }
+}
+
+CAPSTAN_VECTOR_UNITS Vec3 interpolate_one(const Stencil& stencil, const double* cells, const BoxStrides& strides) {
+  const auto& [sx, sy, sz] = stencil;
+  Vec3 sums;
+  for (int c = 0; c < 3; ++c) {
+    FourCells along = {};
+    for (int z = 0; z < 4; ++z)
+      for (int y = 0; y < 4; ++y)
+        along += sz.weight[z] * sy.weight[y] * at(cells + c * strides.component + z * strides.z + y * strides.y);
+    sums[c] = (along[0] * sx.weight[0] + along[1] * sx.weight[1]) + (along[2] * sx.weight[2] + along[3] * sx.weight[3]);
+  }
+  return sums;
+}
+
+}  // namespace
 
 bool ImmersedBoundary::place(const Points& positions, int margin) {
   if (!positions.allFinite()) return false;
@@ -20,34 +74,16 @@ bool ImmersedBoundary::place(const Points& positions, int margin) {
 }
 
 void ImmersedBoundary::spread(const Points& forces, double scale, VectorBox& box) const {
-  const int lo_x = box.lo()[0];
   for (std::size_t k = 0; k < stencils_.size(); ++k) {
-    const auto& [sx, sy, sz] = stencils_[k];
-    for (int c = 0; c < 3; ++c)
-      for (int z = 0; z < 4; ++z)
-        for (int y = 0; y < 4; ++y) {
-          const double share = scale * forces(c, k) * sz.weight[z] * sy.weight[y];
-          double* row = box.row(c, sy.first + y, sz.first + z) + (sx.first - lo_x);
-          for (int x = 0; x < 4; ++x) row[x] += share * sx.weight[x];
-        }
+    const Stencil& stencil = stencils_[k];
+    spread_one(stencil, scale * forces.col(Eigen::Index(k)), first_cell(box, stencil), strides_of(box));
   }
 }
 
 void ImmersedBoundary::interpolate(const VectorBox& box, double scale, Points& velocities) const {
-  const int lo_x = box.lo()[0];
   for (std::size_t k = 0; k < stencils_.size(); ++k) {
-    const auto& [sx, sy, sz] = stencils_[k];
-    for (int c = 0; c < 3; ++c) {
-      double sum = 0;
-      for (int z = 0; z < 4; ++z)
-        for (int y = 0; y < 4; ++y) {
-          const double* row = box.row(c, sy.first + y, sz.first + z) + (sx.first - lo_x);
-          double along = 0;
-          for (int x = 0; x < 4; ++x) along += row[x] * sx.weight[x];
-          sum += sz.weight[z] * sy.weight[y] * along;
-        }
-      velocities(c, k) = scale * sum;
-    }
+    const Stencil& stencil = stencils_[k];
+    velocities.col(Eigen::Index(k)) = scale * interpolate_one(stencil, first_cell(box, stencil), strides_of(box));
   }
 }
 

@@ -57,6 +57,7 @@ void NearestVertices::find(const Points& positions, double reach, std::array<int
       window.first[axis] = std::max(0, int(std::ceil(at - reach)));
       window.last[axis] = std::min(size[axis] - 1, int(std::floor(at + reach)));
     }
+    if (window.first[1] > window.last[1] || window.first[2] > window.last[2]) continue;
     claim(window, int(vertex), pitch_, pitch_ * size[1], distance2_.data(), nearest_.data());
   }
 }

@@ -60,14 +60,14 @@ double ViscosityField::signed_distance(const Vec3& offset, int vertex) const {
   return (2 * p + kappa * r2) / (1 + std::sqrt(std::pow(1 + kappa * p, 2) + kappa * kappa * t2));
 }
 
-/// A cell within two spacings of the surface is within this of a vertex (0.58: centre of an equilateral
-/// triangle).
+/// A cell within two spacings of the surface is within this of a vertex: its foot on a triangle is within 0.58
+/// edges of a corner (the centre of an equilateral triangle), at a right angle to the way there.
 double ViscosityField::reach(const Points& of_patch) const {
   double longest2 = 0;
   for (const Edge& edge : patch_.mesh.edges)
     longest2 =
         std::max(longest2, (of_patch.col(edge.vertices[0]) - of_patch.col(edge.vertices[1])).squaredNorm());
-  return 2 + 0.58 * std::min(std::sqrt(longest2) / grid_.dx, 4.0);
+  return std::hypot(2, 0.58 * std::min(std::sqrt(longest2) / grid_.dx, 4.0));
 }
 
 }  // namespace capstan

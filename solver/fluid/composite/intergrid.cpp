@@ -10,7 +10,12 @@
 namespace capstan {
 namespace {
 
-constexpr int kBlock = 256;  // fine numbers of a row at a time
+constexpr int kLanes = 16;     // numbers of the widest register
+constexpr int kBlock = 128;    // coarse numbers of a row at a time
+constexpr int kComponents = 5;  // at most
+
+/// Loops over whole registers need no remainder; they may read and write a little beyond (see RowField).
+int whole_lanes(int numbers) { return (numbers + kLanes - 1) & ~(kLanes - 1); }
 
 /// A child's centre stands a quarter of a coarse cell from its parent's: at -1/4 for even indices, +1/4 for
 /// odd ones.
@@ -36,19 +41,23 @@ struct Family {
   int parent_count;
 };
 
+// Components in turn, step by step: what is read was written a while ago.
 template <class T>
 CAPSTAN_VECTOR_UNITS void average_rows(const Family<T>& family, std::span<const double> factors) {
-  alignas(64) T sums[kBlock];
-  for (std::size_t k = 0; k < factors.size(); ++k) {
-    const auto child = [&](int which) { return family.children[which] + std::ptrdiff_t(k) * family.child_component; };
-    T* __restrict parents = family.parents + std::ptrdiff_t(k) * family.parent_component;
-    const T factor = T(factors[k] / 8);
-    for (int first = 0; first < family.parent_count; first += kBlock / 2) {
-      const int count = std::min(kBlock / 2, family.parent_count - first);
-      const T *__restrict a = child(0) + 2 * first, *__restrict b = child(1) + 2 * first,
-              *__restrict c = child(2) + 2 * first, *__restrict d = child(3) + 2 * first;
-      for (int i = 0; i < 2 * count; ++i) sums[i] = (a[i] + b[i]) + (c[i] + d[i]);
-      for (int i = 0; i < count; ++i) parents[first + i] = factor * (sums[2 * i] + sums[2 * i + 1]);
+  alignas(64) T sums[kComponents][2 * kBlock];
+  const int K = int(factors.size());
+  for (int first = 0; first < family.parent_count; first += kBlock) {
+    const int count = std::min(kBlock, family.parent_count - first);
+    for (int k = 0; k < K; ++k) {
+      const std::ptrdiff_t at = k * family.child_component + 2 * first;
+      const T *__restrict a = family.children[0] + at, *__restrict b = family.children[1] + at,
+              *__restrict c = family.children[2] + at, *__restrict d = family.children[3] + at;
+      for (int i = 0; i < whole_lanes(2 * count); ++i) sums[k][i] = (a[i] + b[i]) + (c[i] + d[i]);
+    }
+    for (int k = 0; k < K; ++k) {
+      T* __restrict parents = family.parents + k * family.parent_component + first;
+      const T factor = T(factors[k] / 8);
+      for (int i = 0; i < count; ++i) parents[i] = factor * (sums[k][2 * i] + sums[k][2 * i + 1]);
     }
   }
 }
@@ -64,21 +73,25 @@ struct Surroundings {
 
 template <class T>
 CAPSTAN_VECTOR_UNITS void add_linear_rows(const Surroundings<T>& around, std::span<const double> factors) {
-  alignas(64) T along[kBlock / 2 + 2], change[kBlock];
-  for (std::size_t k = 0; k < factors.size(); ++k) {
-    const auto row = [&](int which) { return around.coarse[which] + std::ptrdiff_t(k) * around.coarse_component; };
-    const T factor = T(factors[k] / 64);
-    for (int first = 0; first < around.coarse_count; first += kBlock / 2) {
-      const int count = std::min(kBlock / 2, around.coarse_count - first);
-      const T *__restrict a = row(0) + first - 1, *__restrict b = row(1) + first - 1,
-              *__restrict c = row(2) + first - 1, *__restrict d = row(3) + first - 1;
-      for (int i = 0; i < count + 2; ++i) along[i] = factor * (9 * a[i] + 3 * (b[i] + c[i]) + d[i]);
+  alignas(64) T along[kComponents][kBlock + 2 * kLanes], change[kComponents][2 * kBlock + 2 * kLanes];
+  const int K = int(factors.size());
+  for (int first = 0; first < around.coarse_count; first += kBlock) {
+    const int count = std::min(kBlock, around.coarse_count - first);
+    for (int k = 0; k < K; ++k) {
+      const std::ptrdiff_t at = k * around.coarse_component + first - 1;
+      const T *__restrict a = around.coarse[0] + at, *__restrict b = around.coarse[1] + at,
+              *__restrict c = around.coarse[2] + at, *__restrict d = around.coarse[3] + at;
+      const T factor = T(factors[k] / 64);
+      for (int i = 0; i < whole_lanes(count + 2); ++i) along[k][i] = factor * (9 * a[i] + 3 * (b[i] + c[i]) + d[i]);
+    }
+    for (int k = 0; k < K; ++k)
       for (int i = 0; i < count; ++i) {
-        change[2 * i] = 3 * along[i + 1] + along[i];
-        change[2 * i + 1] = 3 * along[i + 1] + along[i + 2];
+        change[k][2 * i] = 3 * along[k][i + 1] + along[k][i];
+        change[k][2 * i + 1] = 3 * along[k][i + 1] + along[k][i + 2];
       }
-      T* __restrict fine = around.fine + std::ptrdiff_t(k) * around.fine_component + 2 * first;
-      for (int i = 0; i < 2 * count; ++i) fine[i] += change[i];
+    for (int k = 0; k < K; ++k) {
+      T* __restrict fine = around.fine + k * around.fine_component + 2 * first;
+      for (int i = 0; i < 2 * count; ++i) fine[i] += change[k][i];
     }
   }
 }
