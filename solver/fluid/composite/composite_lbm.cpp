@@ -41,7 +41,9 @@ FlowReport CompositeLbm<T>::solve(double kt, const Points& positions, const Poin
   if (viscosity_) put_viscosity(positions);
   extrapolate_to(kt);
   put_forces(forces);
-  return cycle_until_converged(positions, velocities);
+  const FlowReport report = cycle_until_converged(positions, velocities);
+  grids_.front().add_momentum(-0.5, force_);
+  return report;
 }
 
 template <class T>
@@ -94,6 +96,8 @@ void CompositeLbm<T>::extrapolate_to(double kt) {
   solved_at_.push_back(kt);
 }
 
+// Between two solves the finest grid holds velocities, not momentum: forces change with every cell that the
+// membrane passes, velocities little, and it is velocities that are extrapolated.
 template <class T>
 void CompositeLbm<T>::put_forces(const Points& forces) {
   boundary_.spread(forces, kAmbientViscosity / options_.dx, force_);
@@ -102,6 +106,7 @@ void CompositeLbm<T>::put_forces(const Points& forces) {
     grid.add_convection();
   }
   grids_.front().add_force(force_);
+  grids_.front().add_momentum(0.5, force_);
 }
 
 /// u = g - F/2 and the undisturbed shear, which is exact at the vertex itself.

@@ -23,6 +23,17 @@ constexpr double kStressExtrapolation = 0.8;
 /// P_xy of the undisturbed flow at rate 1: sum w_i e_x e_y 3 e_x (y - e_y dx).
 double couette_stress(double dx) { return -dx / 3; }
 
+/// Momentum of a field += factor * vectors.
+template <class T>
+void add_vectors(double factor, const VectorBox& vectors, RowField<T>& field) {
+  vectors.for_each_row([&](int y, int z) {
+    for (int c = 0; c < 3; ++c) {
+      T* row = field.row(kGx + c, y, z) + (vectors.lo()[0] - field.box().lo[0]);
+      for (int i = 0; i < vectors.size()[0]; ++i) row[i] += T(factor * vectors.row(c, y, z)[i]);
+    }
+  });
+}
+
 template <class T>
 Strides strides_of(const RowField<T>& field) {
   return {field.component_stride(), field.y_stride(), field.z_stride()};
@@ -198,12 +209,12 @@ void Grid<T>::clear_force() {
 
 template <class T>
 void Grid<T>::add_force(const VectorBox& force) {
-  force.for_each_row([&](int y, int z) {
-    for (int c = 0; c < 3; ++c) {
-      T* row = defect_.row(kGx + c, y, z) + (force.lo()[0] - box().lo[0]);
-      for (int i = 0; i < force.size()[0]; ++i) row[i] += T(force.row(c, y, z)[i]);
-    }
-  });
+  add_vectors(1, force, defect_);
+}
+
+template <class T>
+void Grid<T>::add_momentum(double factor, const VectorBox& force) {
+  add_vectors(factor, force, f_);
 }
 
 template <class T>

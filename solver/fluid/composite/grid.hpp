@@ -43,6 +43,8 @@ class Grid {
   /// sweep).
   void clear_force();
   void add_force(const VectorBox& force);
+  /// g <- g + factor force: half a force lies between momentum and velocity.
+  void add_momentum(double factor, const VectorBox& force);
   /// The part of convection that is kept over a solve (convection.hpp), from the flow as it stands.
   void add_convection();
 
