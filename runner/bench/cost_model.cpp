@@ -6,6 +6,7 @@
 #include <string>
 
 #include "runner/bench/timed_run.hpp"
+#include "solver/case/run_cost.hpp"
 
 namespace capstan {
 namespace {
@@ -24,7 +25,7 @@ std::string kind_of(const Case& c) {
 
 struct Probe {
   const Case* at;
-  double seconds_a_step, steps_a_kt;
+  double scale;  ///< seconds to the end over run_cost
 };
 
 double distance(const Case& a, const Case& b) {
@@ -33,8 +34,8 @@ double distance(const Case& a, const Case& b) {
 
 Probe probe(const Case& c, double seconds) {
   const TimedRun run = timed_run(c, seconds);
-  return {&c, run.steady_seconds / double(std::max(1L, run.steps - 1)),
-          double(run.steps_to_end) / c.until.kt};
+  const double a_step = run.steady_seconds / double(std::max(1L, run.steps - 1));
+  return {&c, a_step * double(run.steps_to_end) / run_cost(c)};
 }
 
 /// So many of the kind as there is time for, evenly spread.
@@ -45,18 +46,6 @@ std::vector<Probe> probes_of(const std::vector<const Case*>& kind, std::size_t k
     probes.push_back(
         probe(*kind[(2 * i + 1) * kind.size() / (2 * count)], kProbeSeconds / double(count * kinds)));
   return probes;
-}
-
-/// A lattice's own step grows with Re; a chosen one stands in the case; a stepper that chooses steps from
-/// record to record.
-double steps_of(const Case& c, const Probe& probe) {
-  const Case& at = *probe.at;
-  double shorter = 1;
-  if (c.fluid == Fluid::transient)
-    shorter = at.Re / c.Re;
-  else if (c.fidelity.kdt > 0)
-    shorter = at.fidelity.kdt / c.fidelity.kdt;
-  return probe.steps_a_kt * c.until.kt * shorter;
 }
 
 }  // namespace
@@ -70,7 +59,7 @@ std::vector<double> estimated_seconds(const std::vector<Case>& cases) {
   for (const Case& c : cases) {
     const Probe& nearest = *std::ranges::min_element(
         probes[kind_of(c)], {}, [&](const Probe& other) { return distance(c, *other.at); });
-    seconds.push_back(steps_of(c, nearest) * nearest.seconds_a_step);
+    seconds.push_back(run_cost(c) * nearest.scale);
   }
   return seconds;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solver/case/content_id.hpp"
+#include "solver/case/run_cost.hpp"
 
 namespace capstan {
 namespace {
@@ -50,8 +51,9 @@ std::string text_of(const Issues& issues) {
 
 std::string add_case(Database& database, const Case& c) {
   auto [id, document] = canonical(c);
-  database.execute("INSERT INTO cases (id, document, numerics) VALUES (?, ?, ?) ON CONFLICT (id) DO NOTHING",
-                   id, document, kNumericsVersion);
+  database.execute(
+      "INSERT INTO cases (id, document, numerics, cost) VALUES (?, ?, ?, ?) ON CONFLICT (id) DO NOTHING", id, document,
+      kNumericsVersion, run_cost(c));
   database.execute("UPDATE cases SET state = 'queued', message = '' WHERE id = ? AND state = 'cancelled'",
                    id);
   return id;

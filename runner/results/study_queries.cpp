@@ -1,5 +1,6 @@
 #include "runner/results/queries.hpp"
 
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -17,9 +18,9 @@ constexpr const char* kMotions[] = {"tumbling", "tank_treading", "transition", "
 constexpr const char* kColumns =
     "SELECT s.id, name, description, submitted_at, cancelled_at, axes, priority, is_paused,"
     " queued, running, done, failed, diverged, cancelled, tumbling, tank_treading, transition, undecided,"
-    " s.number FROM studies s JOIN schedule USING (number) ";
+    " s.number, cost_total, cost_ended FROM studies s JOIN schedule USING (number) ";
 constexpr int kFirstCount = 8;
-constexpr int kNumber = 18;
+constexpr int kNumber = 18, kCostTotal = 19, kCostEnded = 20;
 
 /// Number of the study's cases by state, all states listed.
 ordered_json count_states(const Statement& row) {
@@ -41,10 +42,10 @@ ordered_json count_motions(const Statement& row) {
   return counts;
 }
 
-/// The shear time behind the cases that have begun and not ended, as a share of each.
-double begun(Database& database, const std::string& study_id) {
+/// The cost behind the cases that have begun and not ended.
+double cost_begun(Database& database, const std::string& study_id) {
   Statement row = database.query(
-      "SELECT total(min(1, kt / json_extract(document, '$.until.kt'))) FROM cases c INDEXED BY cases_begun"
+      "SELECT total(cost * min(1, kt / json_extract(document, '$.until.kt'))) FROM cases c INDEXED BY cases_begun"
       " WHERE kt > 0 AND state IN ('queued', 'running')"
       " AND EXISTS (SELECT 1 FROM study_cases w WHERE w.case_id = c.id AND w.study_id = ?)",
       study_id);
@@ -52,11 +53,13 @@ double begun(Database& database, const std::string& study_id) {
   return row.real(0);
 }
 
-/// The mean over the cases of the share of shear time that each has behind it.
-double progress(Database& database, const std::string& study_id, const ordered_json& counts) {
-  const double total = counts["total"];
-  const double open = counts["queued"].get<double>() + counts["running"].get<double>();
-  return (total - open + begun(database, study_id)) / total;
+/// The share of the study's cost that is behind it, rounded: sums of costs are not exact.
+double progress(Database& database, const std::string& study_id, const Statement& row) {
+  const bool has_ended = row.integer(kFirstCount) == 0 && row.integer(kFirstCount + 1) == 0;  // queued, running
+  if (has_ended) return 1;
+  constexpr double kDigits = 1e6;
+  const double share = (row.real(kCostEnded) + cost_begun(database, study_id)) / row.real(kCostTotal);
+  return std::round(kDigits * share) / kDigits;
 }
 
 ordered_json study_of(Database& database, const Statement& row) {
@@ -69,7 +72,7 @@ ordered_json study_of(Database& database, const Statement& row) {
   study["axes"] = ordered_json::parse(row.text(5));
   study["cases"] = count_states(row);
   study["motions"] = count_motions(row);
-  study["progress"] = progress(database, id, study["cases"]);
+  study["progress"] = progress(database, id, row);
   return study;
 }
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "runner/queue/schema.hpp"
+#include "solver/case/run_cost.hpp"
 #include "tests/support/service_fixture.hpp"
 
 namespace capstan {
@@ -25,6 +26,9 @@ class ServiceTest : public ServiceFixture {
     const std::string id = service_->submit(sample_study("study", axes)).study_id;
     service_->tick();
     return id;
+  }
+  Case case_of(const RunHandle& run) {
+    return parse_case(nlohmann::json::parse(std::ifstream(directory_of(run).case_file()))).value.value();
   }
 };
 
@@ -75,6 +79,15 @@ TEST_F(ServiceTest, ProgressFollowsTheHistory) {
   service_->tick();
   EXPECT_EQ(cases(id)[0]["progress"], 0.5);
   EXPECT_EQ(study(id)["progress"], 0.25);
+}
+
+TEST_F(ServiceTest, ProgressWeighsCasesByWhatTheyCost) {
+  const std::string id = submit({{"V", {1, 4}}, {"Ca", {0.25}}});
+  const double equal = run_cost(case_of("run 1")), unequal = run_cost(case_of("run 2"));
+  ASSERT_LT(equal, 0.8 * unequal);  // without a viscosity field
+  complete("run 1", "tumbling");
+  service_->tick();
+  EXPECT_NEAR(study(id)["progress"], equal / (equal + unequal), 1e-6);
 }
 
 TEST_F(ServiceTest, RecordedHistoryIsTheFileAsTheLastAttemptLeftIt) {

@@ -1,0 +1,65 @@
+-- Format 4: how far a study is, weighed by what its cases cost.
+
+ALTER TABLE cases ADD COLUMN cost REAL NOT NULL DEFAULT 1;   -- about the seconds of one core; of older cases not known
+
+ALTER TABLE schedule ADD COLUMN cost_total REAL NOT NULL DEFAULT 0;   -- of all its cases
+ALTER TABLE schedule ADD COLUMN cost_ended REAL NOT NULL DEFAULT 0;   -- of those that have ended
+
+DROP TRIGGER case_joins_study;
+CREATE TRIGGER case_joins_study AFTER INSERT ON study_cases BEGIN
+  UPDATE schedule SET
+    queued        = queued        + (c.state = 'queued'),
+    running       = running       + (c.state = 'running'),
+    done          = done          + (c.state = 'done'),
+    failed        = failed        + (c.state = 'failed'),
+    diverged      = diverged      + (c.state = 'diverged'),
+    cancelled     = cancelled     + (c.state = 'cancelled'),
+    tumbling      = tumbling      + (c.motion IS 'tumbling'),
+    tank_treading = tank_treading + (c.motion IS 'tank_treading'),
+    transition    = transition    + (c.motion IS 'transition'),
+    undecided     = undecided     + (c.motion IS 'undecided'),
+    cost_total    = cost_total    + c.cost,
+    cost_ended    = cost_ended    + c.cost * (c.state NOT IN ('queued', 'running'))
+    FROM (SELECT state, motion, cost FROM cases LEFT JOIN results ON case_id = id WHERE id = NEW.case_id) c
+    WHERE study_id = NEW.study_id;
+  INSERT INTO waiting SELECT s.number, NEW.position, c.id, c.not_before FROM studies s, cases c
+    WHERE s.id = NEW.study_id AND c.id = NEW.case_id AND c.state = 'queued' AND s.cancelled_at IS NULL;
+END;
+
+DROP TRIGGER case_changes_state;
+CREATE TRIGGER case_changes_state AFTER UPDATE OF state ON cases WHEN NEW.state <> OLD.state BEGIN
+  UPDATE schedule SET
+    queued    = queued    + (NEW.state = 'queued')    - (OLD.state = 'queued'),
+    running   = running   + (NEW.state = 'running')   - (OLD.state = 'running'),
+    done      = done      + (NEW.state = 'done')      - (OLD.state = 'done'),
+    failed    = failed    + (NEW.state = 'failed')    - (OLD.state = 'failed'),
+    diverged  = diverged  + (NEW.state = 'diverged')  - (OLD.state = 'diverged'),
+    cancelled = cancelled + (NEW.state = 'cancelled') - (OLD.state = 'cancelled'),
+    cost_ended = cost_ended + NEW.cost * ((OLD.state IN ('queued', 'running')) - (NEW.state IN ('queued', 'running')))
+    WHERE study_id IN (SELECT study_id FROM study_cases WHERE case_id = NEW.id);
+  DELETE FROM waiting WHERE case_id = NEW.id;
+  INSERT INTO waiting SELECT s.number, w.position, NEW.id, NEW.not_before
+    FROM study_cases w JOIN studies s ON s.id = w.study_id
+    WHERE w.case_id = NEW.id AND NEW.state = 'queued' AND s.cancelled_at IS NULL;
+END;
+
+DROP TRIGGER case_leaves_study;
+CREATE TRIGGER case_leaves_study AFTER DELETE ON study_cases BEGIN
+  UPDATE schedule SET
+    queued        = queued        - (c.state = 'queued'),
+    running       = running       - (c.state = 'running'),
+    done          = done          - (c.state = 'done'),
+    failed        = failed        - (c.state = 'failed'),
+    diverged      = diverged      - (c.state = 'diverged'),
+    cancelled     = cancelled     - (c.state = 'cancelled'),
+    tumbling      = tumbling      - (c.motion IS 'tumbling'),
+    tank_treading = tank_treading - (c.motion IS 'tank_treading'),
+    transition    = transition    - (c.motion IS 'transition'),
+    undecided     = undecided     - (c.motion IS 'undecided'),
+    cost_total    = cost_total    - c.cost,
+    cost_ended    = cost_ended    - c.cost * (c.state NOT IN ('queued', 'running'))
+    FROM (SELECT state, motion, cost FROM cases LEFT JOIN results ON case_id = id WHERE id = OLD.case_id) c
+    WHERE study_id = OLD.study_id;
+  DELETE FROM waiting
+    WHERE study_number = (SELECT number FROM studies WHERE id = OLD.study_id) AND position = OLD.position;
+END;
