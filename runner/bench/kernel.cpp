@@ -14,13 +14,17 @@ namespace {
 
 enum class Number { float32, float64 };
 
-nlohmann::ordered_json measured_row(Baseline baseline, Number number, int n, int threads) {
+/// Cubes that fit into a core's caches, into the shared one, and into none; and the patch around a red cell.
+constexpr Extent kSizes[] = {{32, 32, 32}, {64, 64, 64}, {128, 128, 128}, {44, 22, 24}};
+
+nlohmann::ordered_json measured_row(Kernel kernel, Number number, const Extent& cells, int threads) {
   omp_set_num_threads(threads);
   const KernelSpeed speed =
-      number == Number::float32 ? kernel_speed<float>(baseline, n) : kernel_speed<double>(baseline, n);
-  return {{"method", word(baseline)},
+      number == Number::float32 ? kernel_speed<float>(kernel, cells) : kernel_speed<double>(kernel, cells);
+  return {{"method", word(kernel)},
           {"number", number == Number::float32 ? "float" : "double"},
-          {"cells an edge", n},
+          {"cells",
+           std::to_string(cells.nx) + " x " + std::to_string(cells.ny) + " x " + std::to_string(cells.nz)},
           {"threads", threads},
           {"MLUPS", std::round(1e-6 * speed.updates)},
           {"bytes an update", speed.bytes},
@@ -31,11 +35,12 @@ nlohmann::ordered_json measured_row(Baseline baseline, Number number, int n, int
 }  // namespace
 
 int bench_kernel(bool json) {
+  using enum Kernel;
   nlohmann::ordered_json rows;
   for (const int threads : std::set{1, omp_get_max_threads()})
-    for (const Baseline baseline : {Baseline::nineteen_populations, Baseline::four_moments})
+    for (const Kernel kernel : {nineteen_populations, four_moments, composite, composite_stress})
       for (const Number number : {Number::float64, Number::float32})
-        for (const int n : {32, 64, 128}) rows.push_back(measured_row(baseline, number, n, threads));
+        for (const Extent& cells : kSizes) rows.push_back(measured_row(kernel, number, cells, threads));
   print_rows(
       "Million lattice updates a second (MLUPS), and their memory traffic as a share of what scaling an "
       "array in "

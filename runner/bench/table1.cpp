@@ -29,12 +29,14 @@ struct Standard {
 };
 
 Standard with_papers_step() {
-  return {kernel_speed<double>(Baseline::nineteen_populations, kCells), lattice_units(kRe, 0.04, kDx).kdt};
+  return {kernel_speed<double>(Kernel::nineteen_populations, {kCells, kCells, kCells}),
+          lattice_units(kRe, 0.04, kDx).kdt};
 }
 
 /// tau = 1: beyond, the lattice's own errors grow.
 Standard at_its_best() {
-  return {kernel_speed<double>(Baseline::four_moments, kCells), lattice_units(kRe, 1. / 6, kDx).kdt};
+  return {kernel_speed<double>(Kernel::four_moments, {kCells, kCells, kCells}),
+          lattice_units(kRe, 1. / 6, kDx).kdt};
 }
 
 double whole(double number) { return std::round(number); }

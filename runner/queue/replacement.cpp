@@ -52,8 +52,8 @@ std::string text_of(const Issues& issues) {
 std::string add_case(Database& database, const Case& c) {
   auto [id, document] = canonical(c);
   database.execute(
-      "INSERT INTO cases (id, document, numerics, cost) VALUES (?, ?, ?, ?) ON CONFLICT (id) DO NOTHING", id, document,
-      kNumericsVersion, run_cost(c));
+      "INSERT INTO cases (id, document, numerics, cost) VALUES (?, ?, ?, ?) ON CONFLICT (id) DO NOTHING", id,
+      document, kNumericsVersion, run_cost(c));
   database.execute("UPDATE cases SET state = 'queued', message = '' WHERE id = ? AND state = 'cancelled'",
                    id);
   return id;

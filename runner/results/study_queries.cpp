@@ -45,7 +45,8 @@ ordered_json count_motions(const Statement& row) {
 /// The cost behind the cases that have begun and not ended.
 double cost_begun(Database& database, const std::string& study_id) {
   Statement row = database.query(
-      "SELECT total(cost * min(1, kt / json_extract(document, '$.until.kt'))) FROM cases c INDEXED BY cases_begun"
+      "SELECT total(cost * min(1, kt / json_extract(document, '$.until.kt'))) FROM cases c INDEXED BY "
+      "cases_begun"
       " WHERE kt > 0 AND state IN ('queued', 'running')"
       " AND EXISTS (SELECT 1 FROM study_cases w WHERE w.case_id = c.id AND w.study_id = ?)",
       study_id);
@@ -55,7 +56,8 @@ double cost_begun(Database& database, const std::string& study_id) {
 
 /// The share of the study's cost that is behind it, rounded: sums of costs are not exact.
 double progress(Database& database, const std::string& study_id, const Statement& row) {
-  const bool has_ended = row.integer(kFirstCount) == 0 && row.integer(kFirstCount + 1) == 0;  // queued, running
+  const bool has_ended =
+      row.integer(kFirstCount) == 0 && row.integer(kFirstCount + 1) == 0;  // queued, running
   if (has_ended) return 1;
   constexpr double kDigits = 1e6;
   const double share = (row.real(kCostEnded) + cost_begun(database, study_id)) / row.real(kCostTotal);

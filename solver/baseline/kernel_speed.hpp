@@ -1,15 +1,19 @@
 #pragma once
-// How fast the standard method is, and how near to what the memory allows.
+// How fast the lattices' inner loops are, and how near to what the memory allows.
 #include <string_view>
+
+#include "solver/fluid/lattice/population_field.hpp"
 
 namespace capstan {
 
-/// The two standard methods that speed-ups are stated against.
-enum class Baseline {
-  nineteen_populations,  ///< InPlaceLattice with the paper's rates
-  four_moments,          ///< FourMomentLattice: the method at its own best
+enum class Kernel {
+  nineteen_populations,  ///< InPlaceLattice with the paper's rates: the standard method that speed-ups are
+                         ///< stated against
+  four_moments,          ///< FourMomentLattice: that method at its own best
+  composite,             ///< one smoothing sweep of the quasi-steady scheme, ghosts included
+  composite_stress,      ///< the same where the viscosity differs
 };
-std::string_view word(Baseline baseline);
+std::string_view word(Kernel kernel);
 
 struct KernelSpeed {
   double updates;    ///< lattice updates a second
@@ -18,12 +22,12 @@ struct KernelSpeed {
   double share() const { return updates * bytes / bandwidth; }
 };
 
-/// Of a cube of n^3 cells, on as many threads as OpenMP has; in about two seconds.
+/// On as many threads as OpenMP has; in about two seconds.
 /// \tparam Real  float or double
 template <class Real>
-KernelSpeed kernel_speed(Baseline baseline, int n);
+KernelSpeed kernel_speed(Kernel kernel, const Extent& cells);
 
-extern template KernelSpeed kernel_speed<float>(Baseline, int);
-extern template KernelSpeed kernel_speed<double>(Baseline, int);
+extern template KernelSpeed kernel_speed<float>(Kernel, const Extent&);
+extern template KernelSpeed kernel_speed<double>(Kernel, const Extent&);
 
 }  // namespace capstan

@@ -9,7 +9,8 @@ namespace {
 
 double uniform_cells(const Case& c) { return std::pow(c.fidelity.box / c.fidelity.dx, 3); }
 
-/// A step on the composite of grids: the box around the capsule, its margins, and what does not depend on the spacing.
+/// A step on the composite of grids: the box around the capsule, its margins, and what does not depend on the
+/// spacing.
 double composite_step(const Case& c) {
   constexpr double kFixed = 0.43e-3, kCell = 1.75e-7;
   constexpr double kExtent = 2.6, kMargins = 12;  // of the finest box / a, in cells
@@ -26,8 +27,8 @@ double transient_run(const Case& c) {
   return c.until.kt / lattice_units(c.Re, kNu, c.fidelity.dx).kdt * kCell * uniform_cells(c);
 }
 
-/// Sums over all pairs of vertices: stages of the stepper, which stiff membranes ask for, times the products of one
-/// solve, of which unequal viscosities need more.
+/// Sums over all pairs of vertices: stages of the stepper, which stiff membranes ask for, times the products
+/// of one solve, of which unequal viscosities need more.
 double stokes_run(const Case& c) {
   constexpr double kPair = 0.17e-9, kStep = 0.1;
   const double nodes = c.fidelity.nodes, images = c.fidelity.symmetry == Symmetry::automatic ? 1 : 4;

@@ -4,8 +4,8 @@
 
 namespace capstan {
 
-/// Seconds of one core of the machine on which the constants were measured; on another in about the same proportions. To
-/// the end: a run whose class is certain early is cheaper.
+/// Seconds of one core of the machine on which the constants were measured; on another in about the same
+/// proportions. To the end: a run whose class is certain early is cheaper.
 double run_cost(const Case& c);
 
 }  // namespace capstan

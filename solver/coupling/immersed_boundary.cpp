@@ -37,19 +37,23 @@ CAPSTAN_VECTOR_UNITS void spread_one(const Stencil& stencil, const Vec3& force, 
     for (int x = 0; x < 4; ++x) along[x] = force[c] * sx.weight[x];
     for (int z = 0; z < 4; ++z)
       for (int y = 0; y < 4; ++y)
-        at(cells + c * strides.component + z * strides.z + y * strides.y) += sz.weight[z] * sy.weight[y] * along;
+        at(cells + c * strides.component + z * strides.z + y * strides.y) +=
+            sz.weight[z] * sy.weight[y] * along;
   }
 }
 
-CAPSTAN_VECTOR_UNITS Vec3 interpolate_one(const Stencil& stencil, const double* cells, const BoxStrides& strides) {
+CAPSTAN_VECTOR_UNITS Vec3 interpolate_one(const Stencil& stencil, const double* cells,
+                                          const BoxStrides& strides) {
   const auto& [sx, sy, sz] = stencil;
   Vec3 sums;
   for (int c = 0; c < 3; ++c) {
     FourCells along = {};
     for (int z = 0; z < 4; ++z)
       for (int y = 0; y < 4; ++y)
-        along += sz.weight[z] * sy.weight[y] * at(cells + c * strides.component + z * strides.z + y * strides.y);
-    sums[c] = (along[0] * sx.weight[0] + along[1] * sx.weight[1]) + (along[2] * sx.weight[2] + along[3] * sx.weight[3]);
+        along +=
+            sz.weight[z] * sy.weight[y] * at(cells + c * strides.component + z * strides.z + y * strides.y);
+    sums[c] = (along[0] * sx.weight[0] + along[1] * sx.weight[1]) +
+              (along[2] * sx.weight[2] + along[3] * sx.weight[3]);
   }
   return sums;
 }
@@ -83,7 +87,8 @@ void ImmersedBoundary::spread(const Points& forces, double scale, VectorBox& box
 void ImmersedBoundary::interpolate(const VectorBox& box, double scale, Points& velocities) const {
   for (std::size_t k = 0; k < stencils_.size(); ++k) {
     const Stencil& stencil = stencils_[k];
-    velocities.col(Eigen::Index(k)) = scale * interpolate_one(stencil, first_cell(box, stencil), strides_of(box));
+    velocities.col(Eigen::Index(k)) =
+        scale * interpolate_one(stencil, first_cell(box, stencil), strides_of(box));
   }
 }
 

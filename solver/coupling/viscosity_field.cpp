@@ -60,8 +60,8 @@ double ViscosityField::signed_distance(const Vec3& offset, int vertex) const {
   return (2 * p + kappa * r2) / (1 + std::sqrt(std::pow(1 + kappa * p, 2) + kappa * kappa * t2));
 }
 
-/// A cell within two spacings of the surface is within this of a vertex: its foot on a triangle is within 0.58
-/// edges of a corner (the centre of an equilateral triangle), at a right angle to the way there.
+/// A cell within two spacings of the surface is within this of a vertex: its foot on a triangle is within
+/// 0.58 edges of a corner (the centre of an equilateral triangle), at a right angle to the way there.
 double ViscosityField::reach(const Points& of_patch) const {
   double longest2 = 0;
   for (const Edge& edge : patch_.mesh.edges)

@@ -25,8 +25,8 @@ Scalars spontaneous_curvature(const Case& c, const TriangleMesh& mesh, const Poi
   return Scalars::Constant(initial.size(), initial.dot(areas) / areas.sum());
 }
 
-std::unique_ptr<Bending> make_bending(const Case& c, const TriangleMesh& mesh, const Scalars& spontaneous_curvature,
-                                      double modulus) {
+std::unique_ptr<Bending> make_bending(const Case& c, const TriangleMesh& mesh,
+                                      const Scalars& spontaneous_curvature, double modulus) {
   if (!c.has_bending()) return nullptr;
   if (c.bending == BendingModel::variational)
     return std::make_unique<JuelicherBending>(mesh, spontaneous_curvature, modulus);

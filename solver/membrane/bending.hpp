@@ -29,7 +29,7 @@ Scalars spontaneous_curvature(const Case& c, const TriangleMesh& mesh, const Poi
 
 /// The model a case asks for, nothing if it has no bending. \param mesh the surface or a part of it
 /// \param spontaneous_curvature of its vertices   \param modulus E_B = E_b a^2 E_s
-std::unique_ptr<Bending> make_bending(const Case& c, const TriangleMesh& mesh, const Scalars& spontaneous_curvature,
-                                      double modulus);
+std::unique_ptr<Bending> make_bending(const Case& c, const TriangleMesh& mesh,
+                                      const Scalars& spontaneous_curvature, double modulus);
 
 }  // namespace capstan

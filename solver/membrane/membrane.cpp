@@ -5,8 +5,8 @@
 namespace capstan {
 namespace {
 
-/// The force on a vertex depends on the curvature at its neighbours, and that on all faces around them. Bending
-/// read literally fits surfaces to rings, and wants the whole.
+/// The force on a vertex depends on the curvature at its neighbours, and that on all faces around them.
+/// Bending read literally fits surfaces to rings, and wants the whole.
 constexpr int kRings = 2;
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
-// The elastic capsule wall: everything it does to the fluid. Units a = k = mu_a = 1: E_s = 1/Ca, E_B = E_b/Ca. Of
-// a capsule with symmetry a quarter of the wall is computed, the forces of the rest are its images.
+// The elastic capsule wall: everything it does to the fluid. Units a = k = mu_a = 1: E_s = 1/Ca, E_B =
+// E_b/Ca. Of a capsule with symmetry a quarter of the wall is computed, the forces of the rest are its
+// images.
 #include <memory>
 #include <optional>
 

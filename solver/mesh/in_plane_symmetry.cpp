@@ -38,8 +38,10 @@ Orbits Orbits::of(const Points& positions) {
       const auto found = vertices.find(key(signs.cwiseProduct(positions.col(vertex))));
       if (found == vertices.end()) return without_symmetry(int(positions.cols()));
       Image& image = orbits.images_[found->second];
-      if (image.slot < 0) image = {slot, signs};
-      else image.signs = 0.5 * (image.signs + signs);  // its own image twice: only what agrees is possible
+      if (image.slot < 0)
+        image = {slot, signs};
+      else
+        image.signs = 0.5 * (image.signs + signs);  // its own image twice: only what agrees is possible
     }
   }
   const auto is_alone = [](const Image& image) { return image.slot < 0; };
@@ -66,7 +68,8 @@ Orbits Orbits::without_symmetry(int vertex_count) {
 Points Orbits::extend(const Points& of_representatives) const {
   Points of_vertices(3, vertex_count());
   for (int vertex = 0; vertex < vertex_count(); ++vertex)
-    of_vertices.col(vertex) = images_[vertex].signs.cwiseProduct(of_representatives.col(images_[vertex].slot));
+    of_vertices.col(vertex) =
+        images_[vertex].signs.cwiseProduct(of_representatives.col(images_[vertex].slot));
   return of_vertices;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The symmetry of a capsule that starts in the plane of shear. The flow (y, 0, 0) is unchanged by the mirror z -> -z and
-// by the half-turn about z, and so is the capsule for ever: a quarter of its vertices knows all.
+// The symmetry of a capsule that starts in the plane of shear. The flow (y, 0, 0) is unchanged by the mirror
+// z -> -z and by the half-turn about z, and so is the capsule for ever: a quarter of its vertices knows all.
 #include <vector>
 
 #include "solver/mesh/triangle_mesh.hpp"
@@ -10,8 +10,8 @@ namespace capstan {
 /// The vertices in groups whose members are images of each other; one of each group stands for all.
 class Orbits {
  public:
-  /// The groups of a surface that has the symmetry to the last bit; of any other surface each vertex is its own.
-  /// \param positions 3 x #V
+  /// The groups of a surface that has the symmetry to the last bit; of any other surface each vertex is its
+  /// own. \param positions 3 x #V
   static Orbits of(const Points& positions);
   /// No symmetry: every vertex stands for itself.
   static Orbits without_symmetry(int vertex_count);
@@ -22,8 +22,8 @@ class Orbits {
   /// Vertices of one group: 4, or fewer on the mirror or the axis.
   int size(int representative) const { return sizes_[representative]; }
 
-  /// 3 x #representatives to 3 x #V: vectors of the representatives turned onto their images. What a vertex on
-  /// the mirror or the axis cannot have (a velocity out of the plane) is set to zero.
+  /// 3 x #representatives to 3 x #V: vectors of the representatives turned onto their images. What a vertex
+  /// on the mirror or the axis cannot have (a velocity out of the plane) is set to zero.
   Points extend(const Points& of_representatives) const;
   /// #representatives to #V: numbers that are the same in images.
   Scalars extend_scalars(const Scalars& of_representatives) const;

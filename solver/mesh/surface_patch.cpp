@@ -40,7 +40,9 @@ SurfacePatch patch_around(const std::vector<int>& centres, int rings, const Tria
   add_neighbours(whole, places);
 
   SurfacePatch patch{places.vertices(), {}};
-  const auto is_complete = [&](int vertex) { return places.of(vertex) != kNone && places.of(vertex) < complete; };
+  const auto is_complete = [&](int vertex) {
+    return places.of(vertex) != kNone && places.of(vertex) < complete;
+  };
   std::vector<int> faces, face_places(std::size_t(whole.faces.cols()), kNone);
   for (int face = 0; face < whole.faces.cols(); ++face)
     if (std::ranges::any_of(whole.faces.col(face), is_complete)) {

@@ -8,16 +8,16 @@ namespace capstan {
 
 struct SurfacePatch {
   std::vector<int> vertices;  ///< of the whole surface, in the order of the patch's own
-  /// Edges inside the patch, and the one-rings of the vertices that have all their faces in it; empty ones of the
-  /// others.
+  /// Edges inside the patch, and the one-rings of the vertices that have all their faces in it; empty ones of
+  /// the others.
   TriangleMesh mesh;
 
   /// 3 x #V of the whole surface to 3 x #vertices.
   Points restrict(const Points& of_whole) const { return of_whole(Eigen::all, vertices); }
 };
 
-/// The faces around `centres` and, for each further ring, those around the vertices met so far. The centres come
-/// first, in their order.
+/// The faces around `centres` and, for each further ring, those around the vertices met so far. The centres
+/// come first, in their order.
 SurfacePatch patch_around(const std::vector<int>& centres, int rings, const TriangleMesh& whole);
 
 }  // namespace capstan

@@ -11,7 +11,8 @@ namespace capstan {
 
 Orbits symmetry_of(const Case& c, const Points& initial) {
   const bool is_kept = c.fluid == Fluid::stokes || c.has_composite_grid();
-  if (!is_kept || c.fidelity.symmetry != Symmetry::automatic) return Orbits::without_symmetry(int(initial.cols()));
+  if (!is_kept || c.fidelity.symmetry != Symmetry::automatic)
+    return Orbits::without_symmetry(int(initial.cols()));
   return Orbits::of(initial);
 }
 
@@ -34,10 +35,10 @@ std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, co
       if (c.fidelity.precision == Precision::twofold) return std::make_unique<TransientLbm<double>>(c, mesh);
       return std::make_unique<TransientLbm<float>>(c, mesh);
     case Fluid::stokes:
-      return std::make_unique<StokesFlow>(
-          mesh, symmetry_of(c, initial),
-          StokesFlow::Options{
-              .viscosity_ratio = c.V, .volume = volume(initial, mesh.faces), .tolerance = c.fidelity.tolerance});
+      return std::make_unique<StokesFlow>(mesh, symmetry_of(c, initial),
+                                          StokesFlow::Options{.viscosity_ratio = c.V,
+                                                              .volume = volume(initial, mesh.faces),
+                                                              .tolerance = c.fidelity.tolerance});
     case Fluid::quasisteady:
       break;
   }

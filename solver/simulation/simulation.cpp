@@ -38,7 +38,7 @@ FlowReport Simulation::solve_flow(double at, const Points& positions, Points& ve
     velocities = solved_.velocities;
     return {};
   }
-  membrane_.forces(positions, forces_);                                       // eqs. 29, 31
+  membrane_.forces(positions, forces_);                                      // eqs. 29, 31
   const FlowReport flow = flow_->solve(at, positions, forces_, velocities);  // eqs. 20-25, 33-36, 40
   if (flow.converged) solved_ = {positions, velocities};
   return flow;
@@ -60,7 +60,8 @@ Simulation::Simulation(const Case& c)
       initial_area_(area(positions_, faces())) {}
 
 TimeGrid::TimeGrid(const Case& c, std::optional<double> imposed_kdt)
-    : kdt(imposed_kdt.value_or(c.fidelity.kdt > 0 ? c.fidelity.kdt : std::min(c.outputs.history_every, c.until.kt))),
+    : kdt(imposed_kdt.value_or(c.fidelity.kdt > 0 ? c.fidelity.kdt
+                                                  : std::min(c.outputs.history_every, c.until.kt))),
       steps(std::max(1L, std::lround(c.until.kt / kdt))),
       steps_a_record(std::max(1L, std::lround(c.outputs.history_every / kdt))) {
   const double record_kt = kdt * double(steps_a_record);

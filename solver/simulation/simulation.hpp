@@ -34,8 +34,8 @@ struct RunStatistics {
   double area_drift = 0;        ///< largest |A/A(0) - 1| recorded
 };
 
-/// The steps of a run, and those after which something is recorded: the nearest to the wished intervals. A stepper that
-/// chooses its own steps does so between two records, which count as one step here.
+/// The steps of a run, and those after which something is recorded: the nearest to the wished intervals. A
+/// stepper that chooses its own steps does so between two records, which count as one step here.
 struct TimeGrid {
   TimeGrid(const Case& c, std::optional<double> imposed_kdt);
   double kdt;

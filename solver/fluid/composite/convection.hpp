@@ -1,8 +1,8 @@
 #pragma once
-// How the flow carries its own momentum: Re (u . grad) u, of the deviation from the undisturbed flow with itself.
-// What the undisturbed flow has to do with grows with the distance from its centre and is part of every sweep
-// (sweep.hpp). This rest is of the order Re times the deviation, small everywhere, and kept over a solve like a
-// force.
+// How the flow carries its own momentum: Re (u . grad) u, of the deviation from the undisturbed flow with
+// itself. What the undisturbed flow has to do with grows with the distance from its centre and is part of
+// every sweep (sweep.hpp). This rest is of the order Re times the deviation, small everywhere, and kept over
+// a solve like a force.
 #include "solver/fluid/composite/row_field.hpp"
 
 namespace capstan {

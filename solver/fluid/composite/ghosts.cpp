@@ -84,7 +84,8 @@ Layer<T> layer_of(const RowField<T>& from_field, RowField<T>& field, int axis, i
   const IndexBox& box = field.box();
   const int y = box.lo[1] - 1, z = box.lo[2] - 1, length = int(field.component_stride());
   if (axis == 1)
-    return {from_field.row(0, from, z) - 1, field.row(0, to, z) - 1, field.z_stride(), box.size(2) + 2, length};
+    return {from_field.row(0, from, z) - 1, field.row(0, to, z) - 1, field.z_stride(), box.size(2) + 2,
+            length};
   return {from_field.row(0, y, from) - 1, field.row(0, y, to) - 1, field.y_stride(), box.size(1) + 2, length};
 }
 
@@ -102,8 +103,8 @@ void fill_ghosts(RowField<T>& field, const SideRules& rules, const Parity& parit
   for (int axis : {1, 2})
     for (int side : {0, 1}) {
       const SideRule rule = rules.side[axis][side];
-      const Layer<T> layer = layer_of(field, field, axis, image_index(box, axis, side, rule),
-                                      ghost_index(box, axis, side));
+      const Layer<T> layer =
+          layer_of(field, field, axis, image_index(box, axis, side, rule), ghost_index(box, axis, side));
       switch (rule) {
         case SideRule::interpolated:
           break;

@@ -10,8 +10,8 @@
 namespace capstan {
 namespace {
 
-constexpr int kLanes = 16;     // numbers of the widest register
-constexpr int kBlock = 128;    // coarse numbers of a row at a time
+constexpr int kLanes = 16;      // numbers of the widest register
+constexpr int kBlock = 128;     // coarse numbers of a row at a time
 constexpr int kComponents = 5;  // at most
 
 /// Loops over whole registers need no remainder; they may read and write a little beyond (see RowField).
@@ -50,8 +50,8 @@ CAPSTAN_VECTOR_UNITS void average_rows(const Family<T>& family, std::span<const 
     const int count = std::min(kBlock, family.parent_count - first);
     for (int k = 0; k < K; ++k) {
       const std::ptrdiff_t at = k * family.child_component + 2 * first;
-      const T *__restrict a = family.children[0] + at, *__restrict b = family.children[1] + at,
-              *__restrict c = family.children[2] + at, *__restrict d = family.children[3] + at;
+      const T *a = family.children[0] + at, *b = family.children[1] + at, *c = family.children[2] + at,
+              *d = family.children[3] + at;
       for (int i = 0; i < whole_lanes(2 * count); ++i) sums[k][i] = (a[i] + b[i]) + (c[i] + d[i]);
     }
     for (int k = 0; k < K; ++k) {
@@ -79,10 +79,11 @@ CAPSTAN_VECTOR_UNITS void add_linear_rows(const Surroundings<T>& around, std::sp
     const int count = std::min(kBlock, around.coarse_count - first);
     for (int k = 0; k < K; ++k) {
       const std::ptrdiff_t at = k * around.coarse_component + first - 1;
-      const T *__restrict a = around.coarse[0] + at, *__restrict b = around.coarse[1] + at,
-              *__restrict c = around.coarse[2] + at, *__restrict d = around.coarse[3] + at;
+      const T *a = around.coarse[0] + at, *b = around.coarse[1] + at, *c = around.coarse[2] + at,
+              *d = around.coarse[3] + at;
       const T factor = T(factors[k] / 64);
-      for (int i = 0; i < whole_lanes(count + 2); ++i) along[k][i] = factor * (9 * a[i] + 3 * (b[i] + c[i]) + d[i]);
+      for (int i = 0; i < whole_lanes(count + 2); ++i)
+        along[k][i] = factor * (9 * a[i] + 3 * (b[i] + c[i]) + d[i]);
     }
     for (int k = 0; k < K; ++k)
       for (int i = 0; i < count; ++i) {
@@ -108,8 +109,9 @@ struct RowGrid {
 
 /// In x: all children of `parents` cells of each row.
 template <class T>
-CAPSTAN_VECTOR_UNITS void interpolate_in_x(const RowGrid<const T>& coarse, std::ptrdiff_t component, int parents,
-                                           std::span<const double> factors, const RowGrid<T>& out) {
+CAPSTAN_VECTOR_UNITS void interpolate_in_x(const RowGrid<const T>& coarse, std::ptrdiff_t component,
+                                           int parents, std::span<const double> factors,
+                                           const RowGrid<T>& out) {
   constexpr Parabola<T> even = parabola<T>(0), odd = parabola<T>(1);
   for (int j = 0; j < coarse.outer; ++j)
     for (int i = 0; i < coarse.inner; ++i)
@@ -119,13 +121,14 @@ CAPSTAN_VECTOR_UNITS void interpolate_in_x(const RowGrid<const T>& coarse, std::
         const T factor = T(factors[k]);
         for (int x = 0; x < parents; ++x) {
           children[2 * x] = factor * (even.before * row[x - 1] + even.at * row[x] + even.behind * row[x + 1]);
-          children[2 * x + 1] = factor * (odd.before * row[x - 1] + odd.at * row[x] + odd.behind * row[x + 1]);
+          children[2 * x + 1] =
+              factor * (odd.before * row[x - 1] + odd.at * row[x] + odd.behind * row[x + 1]);
         }
       }
 }
 
-/// In the inner axis: the rows of the children `first` ... of parents whose rows, with a neighbour on each side,
-/// are given.
+/// In the inner axis: the rows of the children `first` ... of parents whose rows, with a neighbour on each
+/// side, are given.
 template <class T>
 CAPSTAN_VECTOR_UNITS void interpolate_between_rows(const RowGrid<const T>& parents, int first, int count,
                                                    const RowGrid<T>& out) {
@@ -133,8 +136,8 @@ CAPSTAN_VECTOR_UNITS void interpolate_between_rows(const RowGrid<const T>& paren
     for (int i = 0; i < out.inner; ++i) {
       const Parabola<T> weights = parabola<T>(first + i);
       const int at = 1 + parent(first + i) - parent(first);
-      const T *__restrict before = parents.row(at - 1, j), *__restrict middle = parents.row(at, j),
-              *__restrict behind = parents.row(at + 1, j);
+      const T *before = parents.row(at - 1, j), *middle = parents.row(at, j),
+              *behind = parents.row(at + 1, j);
       T* __restrict row = out.row(i, j);
       for (int x = 0; x < count; ++x)
         row[x] = weights.before * before[x] + weights.at * middle[x] + weights.behind * behind[x];
@@ -175,8 +178,8 @@ void add_linear(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& re
   });
 }
 
-// Direction by direction: x in the coarse rows that are needed, then y, then z. Of every parent in x all children
-// are made, and those of the region taken in the end.
+// Direction by direction: x in the coarse rows that are needed, then y, then z. Of every parent in x all
+// children are made, and those of the region taken in the end.
 template <class T>
 void interpolate(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& region,
                  std::span<const double> factors) {
@@ -187,8 +190,7 @@ void interpolate(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& r
   thread_local std::vector<T> along_x, along_y, children;
   along_x.resize(numbers * NY * NZ), along_y.resize(numbers * ny * NZ), children.resize(numbers * ny * nz);
 
-  const T* first_row =
-      coarse.row(0, needed.lo[1], needed.lo[2]) + (parents.lo[0] - coarse.box().lo[0]);
+  const T* first_row = coarse.row(0, needed.lo[1], needed.lo[2]) + (parents.lo[0] - coarse.box().lo[0]);
   interpolate_in_x(RowGrid<const T>{first_row, coarse.y_stride(), coarse.z_stride(), NY, NZ},
                    coarse.component_stride(), parents.size(0), factors,
                    RowGrid<T>{along_x.data(), numbers, numbers * NY, NY, NZ});

@@ -14,9 +14,7 @@ namespace {
 constexpr std::array<double, kStresses> kToCoarse = {2, 2, 2, 2, 2}, kToFine = {0.5, 0.5, 0.5, 0.5, 0.5};
 
 /// Cells of `box` in one row.
-IndexBox row_of(const IndexBox& box, int y, int z) {
-  return {{box.lo[0], y, z}, {box.hi[0], y + 1, z + 1}};
-}
+IndexBox row_of(const IndexBox& box, int y, int z) { return {{box.lo[0], y, z}, {box.hi[0], y + 1, z + 1}}; }
 
 /// c = 1 - s = 1 - 1/(3 nu + 1/2) with nu = ratio/6; whether any is not 0.
 template <class T>
@@ -107,8 +105,7 @@ void StressField<T>::fill_ghosts() {
 template <class T>
 void StressField<T>::restrict_to(StressField& coarse) const {
   const IndexBox covered = coarsened(c.box());
-  coarse.for_each_row(
-      [&](int y, int z) { average_children(p, coarse.p, row_of(covered, y, z), kToCoarse); });
+  coarse.for_each_row([&](int y, int z) { average_children(p, coarse.p, row_of(covered, y, z), kToCoarse); });
 }
 
 /// D = I P - P**(I m) + I' r, where `out` holds the residuals of both grids. Those of cells without contrast

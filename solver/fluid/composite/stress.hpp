@@ -14,7 +14,8 @@ class StressField {
   StressField(const IndexBox& box, const SideRules& rules);
 
   /// New viscosities over ambient ones, 1 outside of `viscosity`. Stresses live in the rows with a cell of
-  /// another viscosity, in all that stand next to one, and in their siblings: those that a coarser grid asks for.
+  /// another viscosity, in all that stand next to one, and in their siblings: those that a coarser grid asks
+  /// for.
   void set_viscosity(const ScalarBox& viscosity);
 
   bool has(int y, int z) const { return rows_[row_index(y, z)]; }

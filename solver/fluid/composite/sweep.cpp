@@ -10,8 +10,8 @@ namespace {
 constexpr int kLanes = 16;   // numbers of the widest register: loops over whole registers need no remainder
 constexpr int kBlock = 256;  // of a row at a time: what they send fits into the cache
 
-/// Loops run over the numbers of a row as they stand in memory, from the ghost before the first cell to the end
-/// of the padding: whole registers, which begin where cache lines do. What comes out where no cell is, is
+/// Loops run over the numbers of a row as they stand in memory, from the ghost before the first cell to the
+/// end of the padding: whole registers, which begin where cache lines do. What comes out where no cell is, is
 /// dropped.
 struct Block {
   int first, last;  ///< to be written
@@ -62,19 +62,20 @@ template <class T>
 }
 
 /// First half of (b) without stresses: sums over the rows around, cell by cell. Sources at y -+ 1 stand for
-/// e_y = +-1, likewise z. 36 w_i is 12, 2 along an axis, 1 along a diagonal. The sums of what goes to the right
-/// serve rho and g_x alike.
+/// e_y = +-1, likewise z. 36 w_i is 12, 2 along an axis, 1 along a diagonal. The sums of what goes to the
+/// right serve rho and g_x alike.
 template <class T>
 [[gnu::always_inline]] inline void gather(const FluidRow<T>& row, const Block& block, FluidSent<T>& sent) {
   const Strides& s = row.strides;
   const T* __restrict rho = begin_of(row.m);
-  const T *__restrict gx = rho + s.component, *__restrict gy = gx + s.component, *__restrict gz = gy + s.component;
+  const T *gx = rho + s.component, *gy = gx + s.component, *gz = gy + s.component;
   const int shift = kLanes - block.first;
 #pragma GCC ivdep
   for (int i = block.from; i < block.to; ++i) {
     const auto sum = [&](const T* f, std::ptrdiff_t step) { return f[i - step] + f[i + step]; };
     const auto difference = [&](const T* f, std::ptrdiff_t step) { return f[i - step] - f[i + step]; };
-    const T even = 2 * rho[i] + (sum(rho, s.y) + sum(rho, s.z)) + 3 * (difference(gy, s.y) + difference(gz, s.z));
+    const T even =
+        2 * rho[i] + (sum(rho, s.y) + sum(rho, s.z)) + 3 * (difference(gy, s.y) + difference(gz, s.z));
     const T odd = 2 * gx[i] + (sum(gx, s.y) + sum(gx, s.z));
     const T even_y = difference(rho, s.y) + 3 * sum(gy, s.y), odd_y = difference(gx, s.y);
     const T even_z = difference(rho, s.z) + 3 * sum(gz, s.z), odd_z = difference(gx, s.z);
@@ -97,7 +98,8 @@ template <class T>
   }
 }
 
-/// What a cell's neighbours receive from it: phi_i of (a) in parts that do not and that do change sign with e_x.
+/// What a cell's neighbours receive from it: phi_i of (a) in parts that do not and that do change sign with
+/// e_x.
 template <class T>
 struct Phi {
   T even, odd;
@@ -108,10 +110,9 @@ template <class T>
 [[gnu::always_inline]] inline void gather(const StressRow<T>& row, const Block& block, StressSent<T>& sent) {
   const Strides &s = row.fluid.strides, &t = row.stress_strides;
   const T* __restrict rho = begin_of(row.fluid.m);
-  const T *__restrict gx = rho + s.component, *__restrict gy = gx + s.component, *__restrict gz = gy + s.component;
+  const T *gx = rho + s.component, *gy = gx + s.component, *gz = gy + s.component;
   const T* __restrict xx = begin_of(row.p);
-  const T *__restrict yy = xx + t.component, *__restrict xy = yy + t.component, *__restrict xz = xy + t.component,
-          *__restrict yz = xz + t.component;
+  const T *yy = xx + t.component, *xy = yy + t.component, *xz = xy + t.component, *yz = xz + t.component;
   const T* __restrict c = begin_of(row.contrast);
   const T undisturbed = row.undisturbed;
   const int shift = kLanes - block.first;
@@ -134,7 +135,8 @@ template <class T>
     const auto corner = [&](int ey, int ez) {
       const std::ptrdiff_t at = i - ey * s.y - ez * s.z, p_at = i - ey * t.y - ez * t.z;
       const T weight = T(4.5) * c[i - ey * row.contrast_strides.y - ez * row.contrast_strides.z];
-      return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]) + weight * (T(2 * ey * ez) * yz[p_at] - xx[p_at]);
+      return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]) +
+             weight * (T(2 * ey * ez) * yz[p_at] - xx[p_at]);
     };
     const T axis = T(4.5) * c[i] * xx[i];
     T yp, yn, zp, zn;
@@ -154,7 +156,8 @@ template <class T>
     send(kSumYY, sum_y.even, sum_y.odd), send(kSumZZ, sum_z.even, sum_z.odd);
 
     const T pp = corner(1, 1), pn = corner(1, -1), np = corner(-1, 1), nn = corner(-1, -1);
-    const T corners = (pp + pn) + (np + nn), across_yy = 2 * (yp + yn) + corners, across_zz = 2 * (zp + zn) + corners;
+    const T corners = (pp + pn) + (np + nn), across_yy = 2 * (yp + yn) + corners,
+            across_zz = 2 * (zp + zn) + corners;
     sent.across[kSum][i + shift] = 12 * rho[i] + 2 * (yp + yn) + across_zz;
     sent.across[kSumY][i + shift] = 2 * (yp - yn) + ((pp + pn) - (np + nn));
     sent.across[kSumZ][i + shift] = 2 * (zp - zn) + ((pp - pn) + (np - nn));
@@ -164,8 +167,8 @@ template <class T>
   }
 }
 
-/// Second half of (b) for density and momentum: what arrives from the left, from the right and from the same x,
-/// less (c), and the relaxation. Ghosts are handed on.
+/// Second half of (b) for density and momentum: what arrives from the left, from the right and from the same
+/// x, less (c), and the relaxation. Ghosts are handed on.
 template <class T, class Sent>
 [[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block, const Sent& sent) {
   const std::ptrdiff_t k = row.strides.component;

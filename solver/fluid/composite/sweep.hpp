@@ -16,8 +16,8 @@
 // With nu = 1/6 outside (s = 1) the stress matters only where the viscosity is another: 4 numbers a cell
 // instead of 19, and 9 in and near the capsule. (MRT's basis leaves to each stress a choice of its companion
 // pi of the fourth order, an equally free moment; (a) is Hermite's.) The fluid's velocity is u = g - F/2, its
-// viscosity (1/s - 1/2)/3 as ever. Of convection, which is quadratic in the momentum, (a) has nothing; what the
-// undisturbed flow carries, and what carries the undisturbed flow, is subtracted from g**,
+// viscosity (1/s - 1/2)/3 as ever. Of convection, which is quadratic in the momentum, (a) has nothing; what
+// the undisturbed flow carries, and what carries the undisturbed flow, is subtracted from g**,
 //
 //   Re nu dx^2 (y dg/dx + g_y e_x)   (lengths in units of a, d/dx by central differences), (c)
 //

@@ -8,21 +8,23 @@ namespace capstan {
 namespace {
 
 double cost(const std::string& keys, double Ca = 0.25) {
-  return run_cost(
-      testing::parsed_case(R"({"shape": "biconcave", "E_b": 0.015, "Ca": )" + std::to_string(Ca) + keys + "}"));
+  return run_cost(testing::parsed_case(R"({"shape": "biconcave", "E_b": 0.015, "Ca": )" + std::to_string(Ca) +
+                                       keys + "}"));
 }
 
 TEST(RunCost, GrowsWithTheLengthOfTheRun) {
   for (const char* fluid : {"quasisteady", "transient", "stokes"}) {
     const std::string of_fluid = std::string(R"(, "fluid": ")") + fluid + '"';
-    EXPECT_NEAR(cost(of_fluid + R"(, "until": {"kt": 60})") / cost(of_fluid + R"(, "until": {"kt": 30})"), 2, 1e-12);
+    EXPECT_NEAR(cost(of_fluid + R"(, "until": {"kt": 60})") / cost(of_fluid + R"(, "until": {"kt": 30})"), 2,
+                1e-12);
   }
 }
 
 TEST(RunCost, IsHigherWithViscosityContrastAFinerGridAndWithoutSymmetry) {
   EXPECT_LT(cost(""), cost(R"(, "V": 4)"));
   EXPECT_LT(cost(R"(, "fidelity": "fast")"), cost(R"(, "fidelity": "standard")"));
-  EXPECT_LT(cost(R"(, "fidelity": "standard")"), cost(R"(, "fidelity": {"preset": "standard", "symmetry": "none"})"));
+  EXPECT_LT(cost(R"(, "fidelity": "standard")"),
+            cost(R"(, "fidelity": {"preset": "standard", "symmetry": "none"})"));
 }
 
 TEST(RunCost, OfBoundaryIntegralsGrowsWithTheMembranesStiffness) {

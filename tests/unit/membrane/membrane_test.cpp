@@ -62,8 +62,9 @@ TEST(Membrane, ForcesOfAQuarterAndItsImagesAreThoseOfTheWhole) {
     for (const SpontaneousCurvature& c0 : preferred) {
       c.bending = model, c.c0 = c0;
       const Points exact = forces_of(Membrane(c, sphere.mesh, reference, whole(sphere)), x);
-      EXPECT_LT(relative_error(exact, forces_of(Membrane(c, sphere.mesh, reference, Orbits::of(reference)), x)),
-                1e-13);
+      EXPECT_LT(
+          relative_error(exact, forces_of(Membrane(c, sphere.mesh, reference, Orbits::of(reference)), x)),
+          1e-13);
     }
 }
 
@@ -73,7 +74,8 @@ TEST(Membrane, ForcesGrowWithTheInverseOfTheCapillaryNumber) {
   const Points reference = initial_positions(c, sphere), x = bumped(reference, 0.02);
   const Points soft = forces_of(Membrane(c, sphere.mesh, reference, whole(sphere)), x);
   c.Ca /= 10;
-  EXPECT_LT(relative_error(10 * soft, forces_of(Membrane(c, sphere.mesh, reference, whole(sphere)), x)), 1e-13);
+  EXPECT_LT(relative_error(10 * soft, forces_of(Membrane(c, sphere.mesh, reference, whole(sphere)), x)),
+            1e-13);
 }
 
 TEST(Membrane, HasNoEnergyWithBendingReadLiterally) {
@@ -98,7 +100,8 @@ TEST(Membrane, CollapsedTrianglesGiveForcesThatAreNotFinite) {
   const Icosphere sphere = make_icosphere(1);
   Points x = sphere.directions;
   x.col(sphere.mesh.faces(1, 0)) = x.col(sphere.mesh.faces(0, 0));
-  EXPECT_FALSE(forces_of(Membrane(red_blood_cell(), sphere.mesh, sphere.directions, whole(sphere)), x).allFinite());
+  EXPECT_FALSE(
+      forces_of(Membrane(red_blood_cell(), sphere.mesh, sphere.directions, whole(sphere)), x).allFinite());
 }
 
 }  // namespace

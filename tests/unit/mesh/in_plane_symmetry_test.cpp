@@ -17,7 +17,8 @@ TEST(InPlaneSymmetry, AQuarterOfTheVerticesStandsForAllOfAnInclinedCell) {
   const Icosphere sphere = make_icosphere(3);
   const Orbits orbits = Orbits::of(red_blood_cell(sphere));
   EXPECT_EQ(orbits.vertex_count(), 642);
-  EXPECT_LT(orbits.representatives().size(), 642 / 4 + 40);  // those on the mirror and on the axis have fewer images
+  EXPECT_LT(orbits.representatives().size(),
+            642 / 4 + 40);  // those on the mirror and on the axis have fewer images
 }
 
 TEST(InPlaneSymmetry, RepresentativesStandInOneQuarter) {
