@@ -85,7 +85,7 @@ std::vector<char> StressField<T>::rows_near(const std::vector<char>& rows) const
 
 template <class T>
 void StressField<T>::clear_rows_outside(const std::vector<char>& rows) {
-  for_each_row([&](int y, int z) {
+  for_each_row(c.box(), [&](int y, int z) {
     if (rows[row_index(y, z)]) return;
     for (RowField<T>* field : {&p, &out, &start, &defect, &before})
       std::ranges::fill(field->whole_row(y, z), T(0));
@@ -94,7 +94,7 @@ void StressField<T>::clear_rows_outside(const std::vector<char>& rows) {
 
 template <class T>
 void StressField<T>::clear_defect() {
-  for_each_row([&](int y, int z) { std::ranges::fill(defect.whole_row(y, z), T(0)); });
+  for_each_row(c.box(), [&](int y, int z) { std::ranges::fill(defect.whole_row(y, z), T(0)); });
 }
 
 template <class T>
@@ -105,37 +105,39 @@ void StressField<T>::fill_ghosts() {
 template <class T>
 void StressField<T>::restrict_to(StressField& coarse) const {
   const IndexBox covered = coarsened(c.box());
-  coarse.for_each_row([&](int y, int z) { average_children(p, coarse.p, row_of(covered, y, z), kToCoarse); });
+  coarse.for_each_row(covered,
+                      [&](int y, int z) { average_children(p, coarse.p, row_of(covered, y, z), kToCoarse); });
 }
 
 /// D = I P - P**(I m) + I' r, where `out` holds the residuals of both grids. Those of cells without contrast
 /// are left out: their stress has no effect.
 template <class T>
 void StressField<T>::take_defect(StressField& fine) {
-  fine.for_each_row([&](int y, int z) {
+  fine.for_each_row(fine.c.box(), [&](int y, int z) {
     for (int k = 0; k < kStresses; ++k)
       clear_where_none(fine.c.row(0, y, z), fine.out.row(k, y, z), fine.c.box().size(0));
   });
   const IndexBox covered = coarsened(fine.c.box());
   const int first = covered.lo[0] - c.box().lo[0];
-  for_each_row([&](int y, int z) {
+  for_each_row(covered, [&](int y, int z) {
     average_children(fine.out, start, row_of(covered, y, z), kToCoarse);
     for (int k = 0; k < kStresses; ++k)
       add_difference(start.row(k, y, z) + first, out.row(k, y, z) + first, defect.row(k, y, z) + first,
                      covered.size(0));
-    std::ranges::copy(p.whole_row(y, z), start.whole_row(y, z).begin());
   });
+  for_each_row(c.box(),
+               [&](int y, int z) { std::ranges::copy(p.whole_row(y, z), start.whole_row(y, z).begin()); });
 }
 
 template <class T>
 void StressField<T>::take_change() {
-  for_each_row([&](int y, int z) { take_difference(p.whole_row(y, z), start.whole_row(y, z)); });
+  for_each_row(c.box(), [&](int y, int z) { take_difference(p.whole_row(y, z), start.whole_row(y, z)); });
   capstan::fill_ghosts(start, rules_, kStressParity);
 }
 
 template <class T>
 void StressField<T>::correct_from(const StressField& coarse) {
-  for_each_row([&](int y, int z) { add_linear(coarse.start, p, row_of(c.box(), y, z), kToFine); });
+  for_each_row(c.box(), [&](int y, int z) { add_linear(coarse.start, p, row_of(c.box(), y, z), kToFine); });
 }
 
 template <class T>
@@ -152,8 +154,9 @@ void StressField<T>::move_to(const IndexBox& box, const SideRules& rules) {
 
 template <class T>
 void StressField<T>::extrapolate(double weight) {
-  for_each_row(
-      [&](int y, int z) { capstan::extrapolate(p.whole_row(y, z), before.whole_row(y, z), weight); });
+  for_each_row(c.box(), [&](int y, int z) {
+    capstan::extrapolate(p.whole_row(y, z), before.whole_row(y, z), weight);
+  });
 }
 
 template class StressField<float>;

@@ -20,11 +20,11 @@ class StressField {
 
   bool has(int y, int z) const { return rows_[row_index(y, z)]; }
 
-  template <class Visit>  // visit(y, z)
-  void for_each_row(Visit visit) const {
-    const IndexBox& box = c.box();
-    for (int z = box.lo[2]; z < box.hi[2]; ++z)
-      for (int y = box.lo[1]; y < box.hi[1]; ++y)
+  /// visit(y, z) for the rows of a region that have stresses.
+  template <class Visit>
+  void for_each_row(const IndexBox& region, Visit visit) const {
+    for (int z = region.lo[2]; z < region.hi[2]; ++z)
+      for (int y = region.lo[1]; y < region.hi[1]; ++y)
         if (has(y, z)) visit(y, z);
   }
 
