@@ -77,6 +77,18 @@ Issues replace_failed(Database& database, const std::string& study_id, const nlo
   return issues;
 }
 
+void price_cases(Database& database) {
+  constexpr double kOfARefusedCase = 1;
+  Transaction transaction(database);
+  for (const auto& [id, document] :
+       read_cases(database.query("SELECT id, document FROM cases WHERE cost = 0"))) {
+    const ParsedCase parsed = parse_case(document);
+    database.execute("UPDATE cases SET cost = ? WHERE id = ?",
+                     parsed.value ? run_cost(*parsed.value) : kOfARefusedCase, id);
+  }
+  transaction.commit();
+}
+
 void replace_outdated(Database& database) {
   Transaction transaction(database);
   for (const auto& [id, document] : read_cases(database.query(

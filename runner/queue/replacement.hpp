@@ -17,6 +17,9 @@ std::string add_case(Database& database, const Case& c);
 /// \param fidelity  as in a case file: a preset or an object of knobs
 Issues replace_failed(Database& database, const std::string& study_id, const nlohmann::json& fidelity);
 
+/// Gives the cases that an earlier program has stored their cost.
+void price_cases(Database& database);
+
 /// Puts cases of the present numerics version in the place of those that an earlier program has queued:
 /// computed now, they would be recorded under an id that promises another result.
 void replace_outdated(Database& database);

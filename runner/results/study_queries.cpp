@@ -1,5 +1,6 @@
 #include "runner/results/queries.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -45,10 +46,9 @@ ordered_json count_motions(const Statement& row) {
 /// The cost behind the cases that have begun and not ended.
 double cost_begun(Database& database, const std::string& study_id) {
   Statement row = database.query(
-      "SELECT total(cost * min(1, kt / json_extract(document, '$.until.kt'))) FROM cases c INDEXED BY "
-      "cases_begun"
-      " WHERE kt > 0 AND state IN ('queued', 'running')"
-      " AND EXISTS (SELECT 1 FROM study_cases w WHERE w.case_id = c.id AND w.study_id = ?)",
+      "SELECT total(cost * min(1, kt / json_extract(document, '$.until.kt'))"
+      " * (SELECT count(*) FROM study_cases w WHERE w.case_id = c.id AND w.study_id = ?))"
+      " FROM cases c INDEXED BY cases_begun WHERE kt > 0 AND state IN ('queued', 'running')",
       study_id);
   row.step();
   return row.real(0);
@@ -61,7 +61,7 @@ double progress(Database& database, const std::string& study_id, const Statement
   if (has_ended) return 1;
   constexpr double kDigits = 1e6;
   const double share = (row.real(kCostEnded) + cost_begun(database, study_id)) / row.real(kCostTotal);
-  return std::round(kDigits * share) / kDigits;
+  return std::clamp(std::round(kDigits * share) / kDigits, 0.0, 1.0);
 }
 
 ordered_json study_of(Database& database, const Statement& row) {

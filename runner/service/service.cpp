@@ -36,6 +36,7 @@ void Service::take_over() {
     directory.remove_partial_files();
     record(claim, outcome_of(RunEnd{}, directory));
   }
+  price_cases(database_);
   replace_outdated(database_);
   for (const RunDirectory& orphan : orphans_in(data_.runs(), database_))
     if (orphan.is_worthless()) std::filesystem::remove_all(orphan.path());

@@ -1,6 +1,7 @@
-// How near the lattices' sweeps come to the memory's own pace. Run on a quiet machine:
-//   cmake --preset release -DCAPSTAN_BENCHMARKS=ON && cmake --build --preset release --target
-//   kernel_benchmark OMP_NUM_THREADS=1 build/release/solver/kernel_benchmark      (and with 2)
+// How near the lattices' sweeps come to the memory's own pace. Run on a quiet machine (and with 2 threads):
+//   cmake --preset release -DCAPSTAN_BENCHMARKS=ON
+//   cmake --build --preset release --target kernel_benchmark
+//   OMP_NUM_THREADS=1 build/release/solver/kernel_benchmark
 // `share` is the traffic of the sweep over that of scaling an array of the same size in place (`limit`); the
 // two take turns. 19 populations move 38 numbers an update, four moments 12 with those that are fetched to be
 // overwritten, a sweep of the composite 16, and 37 with stresses.

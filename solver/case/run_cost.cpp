@@ -1,5 +1,6 @@
 #include "solver/case/run_cost.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/case/units.hpp"
@@ -37,14 +38,29 @@ double stokes_run(const Case& c) {
   return c.until.kt / kStep * stages * products * kPair * images * nodes * nodes;
 }
 
-}  // namespace
-
-double run_cost(const Case& c) {
-  if (c.fluid == Fluid::stokes) return stokes_run(c);
-  if (c.fluid == Fluid::transient) return transient_run(c);
+double quasisteady_run(const Case& c) {
   constexpr double kChosenStep = 0.02;  // where the stepper chooses: of one solve
   const double steps = c.until.kt / (c.fidelity.kdt > 0 ? c.fidelity.kdt : kChosenStep);
   return steps * (c.has_composite_grid() ? composite_step(c) : papers_step(c));
+}
+
+double cost_of(const Case& c) {
+  switch (c.fluid) {
+    case Fluid::stokes:
+      return stokes_run(c);
+    case Fluid::transient:
+      return transient_run(c);
+    case Fluid::quasisteady:
+      break;
+  }
+  return quasisteady_run(c);
+}
+
+}  // namespace
+
+double run_cost(const Case& c) {
+  constexpr double kLeast = 1e-4, kMost = 1e10;  // beyond, sums over a study would lose the others
+  return std::clamp(cost_of(c), kLeast, kMost);
 }
 
 }  // namespace capstan

@@ -17,14 +17,14 @@ constexpr int kStressesInMirror[] = {1, 1, 1, -1, -1};
 constexpr int kStressesTurned[] = {1, 1, 1, -1, -1};
 constexpr int kScalar[] = {1};
 
-/// Sides x: the two ends of every row of cells.
+/// Sides x: the two ends of every row, ghost rows included: those of an interpolated side have no image.
 template <class T>
 void fill_row_ends(RowField<T>& field, const std::array<SideRule, 2>& rules) {
   if (rules[0] != SideRule::periodic) return;
   const IndexBox& box = field.box();
   const int n = box.size(0);
-  for (int z = box.lo[2]; z < box.hi[2]; ++z)
-    for (int y = box.lo[1]; y < box.hi[1]; ++y)
+  for (int z = box.lo[2] - 1; z <= box.hi[2]; ++z)
+    for (int y = box.lo[1] - 1; y <= box.hi[1]; ++y)
       for (int k = 0; k < field.components(); ++k) {
         T* row = field.row(k, y, z);
         row[-1] = row[n - 1];

@@ -27,6 +27,11 @@ TEST(RunCost, IsHigherWithViscosityContrastAFinerGridAndWithoutSymmetry) {
             cost(R"(, "fidelity": {"preset": "standard", "symmetry": "none"})"));
 }
 
+TEST(RunCost, OfTheShortestAndTheLongestRunsIsANumberThatCanBeSummed) {
+  EXPECT_GE(cost(R"(, "until": {"kt": 1e-300})"), 1e-4);
+  EXPECT_LE(cost(R"(, "fluid": "transient", "Re": 1e-310)"), 1e10);
+}
+
 TEST(RunCost, OfBoundaryIntegralsGrowsWithTheMembranesStiffness) {
   EXPECT_LT(cost(R"(, "fluid": "stokes")"), cost(R"(, "fluid": "stokes")", 0.05));
 }

@@ -362,6 +362,22 @@ TEST_F(ServiceTest, FailedAndDivergedCasesAreReplacedByFinerOnes) {
   EXPECT_NE(cases(id)[0]["parameters"]["fidelity"], cases(id)[2]["parameters"]["fidelity"]);
 }
 
+TEST_F(ServiceTest, CaseThatAnotherIsReplacedByCountsAtBothPlaces) {
+  nlohmann::json document = study_document("study", {{"fidelity", {"fast", "standard"}}, {"Ca", {0.25}}});
+  document["base"].erase("fidelity");
+  const std::string id = service_->submit(parse_study(document).value.value()).study_id;
+  service_->tick();
+  executor_.exit("run 1", 3);
+  service_->tick();
+  EXPECT_THAT(service_->retry_at(id, "standard"), IsEmpty());
+  EXPECT_EQ(cases(id)[0]["id"], cases(id)[1]["id"]);
+  complete("run 2", "tumbling");
+  service_->tick();
+  EXPECT_EQ(study(id)["cases"]["done"], 2);
+  EXPECT_EQ(study(id)["motions"]["tumbling"], 2);
+  EXPECT_EQ(study(id)["progress"], 1);
+}
+
 TEST_F(ServiceTest, RetryAtAnInvalidFidelityChangesNothingAndSaysAllFaults) {
   const std::string id = submit({{"Ca", {0.25, 0.5}}});
   executor_.exit("run 1", 3);

@@ -57,6 +57,24 @@ TEST(CompositeLbm, GivesTheVelocitiesOfTheUniformGridToOnePartInAThousand) {
   }
 }
 
+// Such a box has interpolated sides in y and z, and none in x.
+TEST(CompositeLbm, BoxThatGoesAroundTheDomainInXAloneConvergesToTheUniformGridsVelocities) {
+  RedCell cell;
+  cell.positions.row(0) *= 2.6 / cell.positions.row(0).maxCoeff();
+  CompositeOptions composite = kOptions, uniform = kOptions;
+  composite.box = uniform.box = 9.6, composite.tolerance = 1e-9;
+  uniform.is_uniform = true;
+  CompositeLbm<double> flow(cell.sphere.mesh, cell.symmetric(), composite);
+  Points u;
+  EXPECT_TRUE(flow.solve(0, cell.positions, cell.forces, u).converged);
+  const int across = int(std::lround(composite.box / composite.dx));
+  int going_around = 0;
+  for (int grid = 0; grid < int(flow.grids().size()); ++grid)
+    going_around += !flow.grids()[grid].is_whole() && flow.grids()[grid].box().size(0) == across >> grid;
+  ASSERT_GT(going_around, 0);
+  EXPECT_LT(difference(u, velocities<double>(cell, cell.symmetric(), uniform)), 1e-3);
+}
+
 TEST(CompositeLbm, OfAQuarterIsThatOfTheWhole) {
   const RedCell cell;
   EXPECT_LT(difference(velocities<double>(cell, cell.symmetric(), kOptions),
