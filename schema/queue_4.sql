@@ -2,6 +2,7 @@
 -- where another was replaced by it, counts twice in all its sums.
 
 ALTER TABLE cases ADD COLUMN cost REAL NOT NULL DEFAULT 0;   -- about the seconds of one core; 0: not known yet
+CREATE INDEX cases_without_cost ON cases (id) WHERE cost = 0;   -- empty after the first start
 
 ALTER TABLE schedule ADD COLUMN cost_total REAL NOT NULL DEFAULT 0;   -- of all its cases
 ALTER TABLE schedule ADD COLUMN cost_ended REAL NOT NULL DEFAULT 0;   -- of those that have ended
