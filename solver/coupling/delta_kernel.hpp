@@ -12,6 +12,8 @@ struct DeltaStencil {
   std::array<double, 4> weight;  ///< sums to 1 for every position
 };
 
+using Stencil = std::array<DeltaStencil, 3>;  ///< in x, y, z
+
 /// dx * delta_h(x) = 1/4 (1 + cos(pi x / (2 dx))) for |x| <= 2 dx.
 /// \param position  in cells: the centre of cell i is at i
 inline DeltaStencil delta_stencil(double position) {

@@ -5,8 +5,6 @@
 namespace capstan {
 namespace {
 
-using Stencil = std::array<DeltaStencil, 3>;
-
 /// A row of the 4 x 4 x 4 cells around a vertex, one vector register where there are such.
 using FourCells [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 [[gnu::always_inline]] inline FourCells& at(double* cell) { return *reinterpret_cast<FourCells*>(cell); }

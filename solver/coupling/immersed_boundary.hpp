@@ -34,7 +34,6 @@ class ImmersedBoundary {
   void interpolate(const VectorBox& box, double scale, Points& velocities) const;
 
  private:
-  using Stencil = std::array<DeltaStencil, 3>;
   GridGeometry grid_;
   std::vector<Stencil> stencils_;
   std::array<int, 3> lo_{}, size_{};

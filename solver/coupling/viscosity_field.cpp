@@ -43,9 +43,8 @@ void ViscosityField::update(const Points& positions, double ambient, double inne
 void ViscosityField::measure_surface(const Points& positions) {
   const Points of_patch = patch_.restrict(positions), normals = vertex_normals(of_patch, patch_.mesh.faces);
   const Scalars curvature = mean_curvature(patch_.mesh.faces, of_patch, normals);
-  const Eigen::Index count = Eigen::Index(orbits_.representatives().size());
-  normals_ = orbits_.extend(normals.leftCols(count));
-  curvature_ = orbits_.extend_scalars(curvature.head(count)).cwiseMax(-1 / grid_.dx).cwiseMin(1 / grid_.dx);
+  normals_ = orbits_.extend(normals);
+  curvature_ = orbits_.extend_scalars(curvature).cwiseMax(-1 / grid_.dx).cwiseMin(1 / grid_.dx);
   reach_ = reach(of_patch);
 }
 

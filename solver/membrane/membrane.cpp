@@ -24,7 +24,7 @@ void Membrane::forces(const Points& positions, Points& forces) const {
   Points on_patch = Points::Zero(3, of_patch.cols());
   in_plane_.add_forces(of_patch, on_patch);
   if (bending_) bending_->add_forces(of_patch, on_patch);
-  forces = orbits_.extend(on_patch.leftCols(Eigen::Index(orbits_.representatives().size())));
+  forces = orbits_.extend(on_patch);
 }
 
 std::optional<double> Membrane::energy(const Points& positions) const {

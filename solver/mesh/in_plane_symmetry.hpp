@@ -22,10 +22,11 @@ class Orbits {
   /// Vertices of one group: 4, or fewer on the mirror or the axis.
   int size(int representative) const { return sizes_[representative]; }
 
-  /// 3 x #representatives to 3 x #V: vectors of the representatives turned onto their images. What a vertex
-  /// on the mirror or the axis cannot have (a velocity out of the plane) is set to zero.
+  /// 3 x #representatives, or more columns behind theirs, to 3 x #V: vectors of the representatives turned
+  /// onto their images. What a vertex on the mirror or the axis cannot have (a velocity out of the plane) is
+  /// set to zero.
   Points extend(const Points& of_representatives) const;
-  /// #representatives to #V: numbers that are the same in images.
+  /// Likewise to #V: numbers that are the same in images.
   Scalars extend_scalars(const Scalars& of_representatives) const;
 
   /// 3 x #V to 3 x #representatives.

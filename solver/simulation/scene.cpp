@@ -10,39 +10,38 @@
 namespace capstan {
 
 Orbits symmetry_of(const Case& c, const Points& initial) {
-  const bool is_kept = c.fluid == Fluid::stokes || c.has_composite_grid();
-  if (!is_kept || c.fidelity.symmetry != Symmetry::automatic)
-    return Orbits::without_symmetry(int(initial.cols()));
-  return Orbits::of(initial);
+  if (c.can_use_symmetry() && c.fidelity.symmetry == Symmetry::automatic) return Orbits::of(initial);
+  return Orbits::without_symmetry(int(initial.cols()));
 }
 
 namespace {
 
-std::unique_ptr<FlowModel> make_quasisteady(const Case& c, const TriangleMesh& mesh, const Points& initial) {
+std::unique_ptr<FlowModel> make_quasisteady(const Case& c, const TriangleMesh& mesh, const Orbits& orbits) {
   if (c.fidelity.scheme == Scheme::paper) return std::make_unique<PaperLbm>(c, mesh);
   const CompositeOptions options{
       .dx = c.fidelity.dx, .box = c.fidelity.box, .Re = c.Re, .V = c.V, .tolerance = c.fidelity.tolerance};
   if (c.fidelity.precision == Precision::twofold)
-    return std::make_unique<CompositeLbm<double>>(mesh, symmetry_of(c, initial), options);
-  return std::make_unique<CompositeLbm<float>>(mesh, symmetry_of(c, initial), options);
+    return std::make_unique<CompositeLbm<double>>(mesh, orbits, options);
+  return std::make_unique<CompositeLbm<float>>(mesh, orbits, options);
 }
 
 }  // namespace
 
-std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, const Points& initial) {
+std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, const Points& initial,
+                                     const Orbits& orbits) {
   switch (c.fluid) {
     case Fluid::transient:
       if (c.fidelity.precision == Precision::twofold) return std::make_unique<TransientLbm<double>>(c, mesh);
       return std::make_unique<TransientLbm<float>>(c, mesh);
     case Fluid::stokes:
-      return std::make_unique<StokesFlow>(mesh, symmetry_of(c, initial),
+      return std::make_unique<StokesFlow>(mesh, orbits,
                                           StokesFlow::Options{.viscosity_ratio = c.V,
                                                               .volume = volume(initial, mesh.faces),
                                                               .tolerance = c.fidelity.tolerance});
     case Fluid::quasisteady:
       break;
   }
-  return make_quasisteady(c, mesh, initial);
+  return make_quasisteady(c, mesh, orbits);
 }
 
 std::unique_ptr<TimeStepper> make_stepper(const Case& c) {

@@ -75,6 +75,7 @@ class Simulation {
   struct Solved {
     Points positions, velocities;
   } solved_;  ///< the last flow; positions all zero before the first
+  Orbits orbits_;
   Membrane membrane_;
   std::unique_ptr<FlowModel> flow_;
   std::unique_ptr<TimeStepper> stepper_;
@@ -87,12 +88,12 @@ class Simulation {
   RunStatistics statistics_;
 };
 
-/// The symmetry that a case's capsule keeps to the last bit: of what the flow model that it asks for solves a
-/// quarter.
+/// The symmetry that a case's capsule keeps to the last bit, because its flow model makes use of it.
 Orbits symmetry_of(const Case& c, const Points& initial);
 
-/// The flow model a case asks for. \param initial 3 x #V, the positions at the start
-std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, const Points& initial);
+/// The flow model a case asks for. \param initial 3 x #V, the positions at the start   \param orbits of them
+std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, const Points& initial,
+                                     const Orbits& orbits);
 
 std::unique_ptr<TimeStepper> make_stepper(const Case& c);
 

@@ -124,14 +124,7 @@ void Grid<T>::take_defect(Grid& fine) {
   sweep_residual();
   const IndexBox inner = covered_stencils(fine);
   average_children(fine.out_, start_, inner, kResidualToCoarse);
-  const int first = inner.lo[0] - box().lo[0];
-  for_each_row(inner, [&](int y, int z) {
-    for (int k = 0; k < kMoments; ++k) {
-      T* defect = defect_.row(k, y, z) + first;
-      const T *residual = out_.row(k, y, z) + first, *restricted = start_.row(k, y, z) + first;
-      for (int i = 0; i < inner.size(0); ++i) defect[i] += restricted[i] - residual[i];
-    }
-  });
+  add_difference(start_, out_, defect_, inner);
   if (is_whole()) subtract_mean_mass_defect();
   if (stress_) stress_->take_defect(*fine.stress_);
   start_ = f_;
@@ -184,20 +177,14 @@ void Grid<T>::take_change() {
 
 template <class T>
 void Grid<T>::interpolate_ghosts(const Grid& coarse) {
-  const auto is_interpolated = [&](int axis, int side) {
-    return rules_.side[axis][side] == SideRule::interpolated;
-  };
-  IndexBox wide = box();  // with the ghosts of the axes that are done
+  const IndexBox all = with_interpolated_ghosts(box());
+  IndexBox rest = all;  // without the layers that are done
   for (int axis = 0; axis < 3; ++axis) {
-    for (int side : {0, 1}) {
-      if (!is_interpolated(axis, side)) continue;
-      IndexBox layer = wide;
-      layer.lo[axis] = side == 0 ? box().lo[axis] - 1 : box().hi[axis];
-      layer.hi[axis] = layer.lo[axis] + 1;
-      interpolate(coarse.f_, f_, layer, kStateToFine);
-    }
-    if (is_interpolated(axis, 0)) --wide.lo[axis];
-    if (is_interpolated(axis, 1)) ++wide.hi[axis];
+    IndexBox low = rest, high = rest;
+    low.hi[axis] = rest.lo[axis] = box().lo[axis];
+    high.lo[axis] = rest.hi[axis] = box().hi[axis];
+    for (const IndexBox& layer : {low, high})
+      if (layer.cells() > 0) interpolate(coarse.f_, f_, layer, kStateToFine);
   }
 }
 

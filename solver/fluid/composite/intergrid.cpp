@@ -10,12 +10,10 @@
 namespace capstan {
 namespace {
 
-constexpr int kLanes = 16;      // numbers of the widest register
 constexpr int kBlock = 128;     // coarse numbers of a row at a time
 constexpr int kComponents = 5;  // at most
 
-/// Loops over whole registers need no remainder; they may read and write a little beyond (see RowField).
-int whole_lanes(int numbers) { return (numbers + kLanes - 1) & ~(kLanes - 1); }
+// Loops over whole registers read a little beyond a row, into what follows it in memory (RowField).
 
 /// A child's centre stands a quarter of a coarse cell from its parent's: at -1/4 for even indices, +1/4 for
 /// odd ones.
@@ -32,55 +30,46 @@ constexpr Parabola<T> parabola(int child) {
   return {T(t * (t - 1) / 2), T(1 - t * t), T(t * (t + 1) / 2)};
 }
 
-/// Fine rows of the four children of a row of coarse cells, and that row; components behind each other.
+/// Rows of one grid and the row of the other that is made of them, from their first components on.
 template <class T>
-struct Family {
-  std::array<const T*, 4> children;
-  T* parents;
-  std::ptrdiff_t child_component, parent_component;
-  int parent_count;
+struct FourRows {
+  std::array<const T*, 4> from;
+  T* to;
+  std::ptrdiff_t from_component, to_component;  ///< distances to the next component
+  int coarse_count;                             ///< cells, of whichever is coarser
 };
 
-// Components in turn, step by step: what is read was written a while ago.
+/// From the rows of the children of a row of coarse cells. Components in turn, step by step: what is read was
+/// written a while ago.
 template <class T>
-CAPSTAN_VECTOR_UNITS void average_rows(const Family<T>& family, std::span<const double> factors) {
+CAPSTAN_VECTOR_UNITS void average_rows(const FourRows<T>& rows, std::span<const double> factors) {
   alignas(64) T sums[kComponents][2 * kBlock];
   const int K = int(factors.size());
-  for (int first = 0; first < family.parent_count; first += kBlock) {
-    const int count = std::min(kBlock, family.parent_count - first);
+  for (int first = 0; first < rows.coarse_count; first += kBlock) {
+    const int count = std::min(kBlock, rows.coarse_count - first);
     for (int k = 0; k < K; ++k) {
-      const std::ptrdiff_t at = k * family.child_component + 2 * first;
-      const T *a = family.children[0] + at, *b = family.children[1] + at, *c = family.children[2] + at,
-              *d = family.children[3] + at;
+      const std::ptrdiff_t at = k * rows.from_component + 2 * first;
+      const T *a = rows.from[0] + at, *b = rows.from[1] + at, *c = rows.from[2] + at, *d = rows.from[3] + at;
       for (int i = 0; i < whole_lanes(2 * count); ++i) sums[k][i] = (a[i] + b[i]) + (c[i] + d[i]);
     }
     for (int k = 0; k < K; ++k) {
-      T* __restrict parents = family.parents + k * family.parent_component + first;
+      T* __restrict parents = rows.to + k * rows.to_component + first;
       const T factor = T(factors[k] / 8);
       for (int i = 0; i < count; ++i) parents[i] = factor * (sums[k][2 * i] + sums[k][2 * i + 1]);
     }
   }
 }
 
-/// Coarse rows around a fine one, the nearest first, and that row.
+/// From the coarse rows around a fine one, the nearest first.
 template <class T>
-struct Surroundings {
-  std::array<const T*, 4> coarse;
-  T* fine;
-  std::ptrdiff_t coarse_component, fine_component;
-  int coarse_count;
-};
-
-template <class T>
-CAPSTAN_VECTOR_UNITS void add_linear_rows(const Surroundings<T>& around, std::span<const double> factors) {
+CAPSTAN_VECTOR_UNITS void add_linear_rows(const FourRows<T>& rows, std::span<const double> factors) {
   alignas(64) T along[kComponents][kBlock + 2 * kLanes], change[kComponents][2 * kBlock + 2 * kLanes];
   const int K = int(factors.size());
-  for (int first = 0; first < around.coarse_count; first += kBlock) {
-    const int count = std::min(kBlock, around.coarse_count - first);
+  for (int first = 0; first < rows.coarse_count; first += kBlock) {
+    const int count = std::min(kBlock, rows.coarse_count - first);
     for (int k = 0; k < K; ++k) {
-      const std::ptrdiff_t at = k * around.coarse_component + first - 1;
-      const T *a = around.coarse[0] + at, *b = around.coarse[1] + at, *c = around.coarse[2] + at,
-              *d = around.coarse[3] + at;
+      const std::ptrdiff_t at = k * rows.from_component + first - 1;
+      const T *a = rows.from[0] + at, *b = rows.from[1] + at, *c = rows.from[2] + at, *d = rows.from[3] + at;
       const T factor = T(factors[k] / 64);
       for (int i = 0; i < whole_lanes(count + 2); ++i)
         along[k][i] = factor * (9 * a[i] + 3 * (b[i] + c[i]) + d[i]);
@@ -91,7 +80,7 @@ CAPSTAN_VECTOR_UNITS void add_linear_rows(const Surroundings<T>& around, std::sp
         change[k][2 * i + 1] = 3 * along[k][i + 1] + along[k][i + 2];
       }
     for (int k = 0; k < K; ++k) {
-      T* __restrict fine = around.fine + k * around.fine_component + 2 * first;
+      T* __restrict fine = rows.to + k * rows.to_component + 2 * first;
       for (int i = 0; i < 2 * count; ++i) fine[i] += change[k][i];
     }
   }
@@ -152,11 +141,11 @@ void average_children(const RowField<T>& fine, RowField<T>& coarse, const IndexB
   const int fine_x = 2 * region.lo[0] - fine.box().lo[0], coarse_x = region.lo[0] - coarse.box().lo[0];
   for_each_row(region, [&](int y, int z) {
     const auto child = [&](int dy, int dz) { return fine.row(0, 2 * y + dy, 2 * z + dz) + fine_x; };
-    average_rows(Family<T>{{child(0, 0), child(1, 0), child(0, 1), child(1, 1)},
-                           coarse.row(0, y, z) + coarse_x,
-                           fine.component_stride(),
-                           coarse.component_stride(),
-                           region.size(0)},
+    average_rows(FourRows<T>{{child(0, 0), child(1, 0), child(0, 1), child(1, 1)},
+                             coarse.row(0, y, z) + coarse_x,
+                             fine.component_stride(),
+                             coarse.component_stride(),
+                             region.size(0)},
                  factors);
   });
 }
@@ -169,11 +158,11 @@ void add_linear(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& re
     const int Y = parent(y), Z = parent(z), near_Y = (y & 1) ? Y + 1 : Y - 1,
               near_Z = (z & 1) ? Z + 1 : Z - 1;
     const auto row = [&](int at_y, int at_z) { return coarse.row(0, at_y, at_z) + coarse_x; };
-    add_linear_rows(Surroundings<T>{{row(Y, Z), row(near_Y, Z), row(Y, near_Z), row(near_Y, near_Z)},
-                                    fine.row(0, y, z) + fine_x,
-                                    coarse.component_stride(),
-                                    fine.component_stride(),
-                                    region.size(0) / 2},
+    add_linear_rows(FourRows<T>{{row(Y, Z), row(near_Y, Z), row(Y, near_Z), row(near_Y, near_Z)},
+                                fine.row(0, y, z) + fine_x,
+                                coarse.component_stride(),
+                                fine.component_stride(),
+                                region.size(0) / 2},
                     factors);
   });
 }

@@ -1,6 +1,7 @@
 #include "solver/fluid/composite/row_field.hpp"
 
 #include "solver/coupling/vector_units.hpp"
+#include "solver/fluid/composite/for_each_row.hpp"
 
 namespace capstan {
 namespace {
@@ -20,6 +21,12 @@ CAPSTAN_VECTOR_UNITS void subtract_numbers(const T* __restrict now, T* __restric
   for (std::size_t i = 0; i < count; ++i) start[i] = now[i] - start[i];
 }
 
+template <class T>
+CAPSTAN_VECTOR_UNITS void add_numbers(const T* __restrict a, const T* __restrict b, T* __restrict sum,
+                                      int count) {
+  for (int i = 0; i < count; ++i) sum[i] += a[i] - b[i];
+}
+
 }  // namespace
 
 void extrapolate(std::span<float> now, std::span<float> before, double weight) {
@@ -35,5 +42,18 @@ void take_difference(std::span<const float> now, std::span<float> start) {
 void take_difference(std::span<const double> now, std::span<double> start) {
   subtract_numbers(now.data(), start.data(), now.size());
 }
+
+template <class T>
+void add_difference(const RowField<T>& a, const RowField<T>& b, RowField<T>& sum, const IndexBox& region) {
+  const int first = region.lo[0] - sum.box().lo[0];
+  for_each_row(region, [&](int y, int z) {
+    for (int k = 0; k < sum.components(); ++k)
+      add_numbers(a.row(k, y, z) + first, b.row(k, y, z) + first, sum.row(k, y, z) + first, region.size(0));
+  });
+}
+template void add_difference(const RowField<float>&, const RowField<float>&, RowField<float>&,
+                             const IndexBox&);
+template void add_difference(const RowField<double>&, const RowField<double>&, RowField<double>&,
+                             const IndexBox&);
 
 }  // namespace capstan

@@ -13,22 +13,25 @@
 
 namespace capstan {
 
+/// Numbers of a cache line, and of the widest register, in single precision.
+inline constexpr int kLanes = 16;
+/// Loops over whole registers need no remainder.
+constexpr int whole_lanes(int numbers) { return (numbers + kLanes - 1) / kLanes * kLanes; }
+
 template <class T>
 class RowField {
  public:
-  RowField() = default;
   RowField(const IndexBox& box, int components) : components_(components) { reset(box); }
 
   /// Zero, over another box; in the memory it has, where that suffices.
   void reset(const IndexBox& box) {
     box_ = box;
-    pitch_ = (box.size(0) + 2 + kLane - 1) / kLane * kLane;
-    data_.assign(std::size_t(pitch_) * components_ * (box.size(1) + 2) * (box.size(2) + 2) + kLane, T(0));
+    pitch_ = whole_lanes(box.size(0) + 2);
+    data_.assign(std::size_t(pitch_) * components_ * (box.size(1) + 2) * (box.size(2) + 2) + kLanes, T(0));
   }
 
   const IndexBox& box() const { return box_; }
   int components() const { return components_; }
-  bool empty() const { return data_.empty(); }
 
   /// The first cell inside the box, x = lo[0], of a row; the ghosts stand at -1 and size(0).
   T* row(int component, int y, int z) { return data_.data() + offset(component, y, z); }
@@ -47,8 +50,6 @@ class RowField {
   std::span<const T> data() const { return data_; }
 
  private:
-  static constexpr int kLane = 16;  // numbers of a 64-byte line in single precision
-
   std::size_t offset(int component, int y, int z) const {
     return std::size_t(z - box_.lo[2] + 1) * z_stride() + std::size_t(y - box_.lo[1] + 1) * y_stride() +
            std::size_t(component) * pitch_ + 1;
@@ -84,5 +85,9 @@ void extrapolate(std::span<double> now, std::span<double> before, double weight)
 /// start <- now - start.
 void take_difference(std::span<const float> now, std::span<float> start);
 void take_difference(std::span<const double> now, std::span<double> start);
+
+/// sum <- sum + (a - b) in a region of cells of three fields over one box.
+template <class T>
+void add_difference(const RowField<T>& a, const RowField<T>& b, RowField<T>& sum, const IndexBox& region);
 
 }  // namespace capstan

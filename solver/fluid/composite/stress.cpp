@@ -32,13 +32,6 @@ CAPSTAN_VECTOR_UNITS void clear_where_none(const T* __restrict c, T* __restrict 
   for (int i = 0; i < count; ++i) numbers[i] = c[i] != 0 ? numbers[i] : T(0);
 }
 
-/// defect += restricted - residual
-template <class T>
-CAPSTAN_VECTOR_UNITS void add_difference(const T* __restrict restricted, const T* __restrict residual,
-                                         T* __restrict defect, int count) {
-  for (int i = 0; i < count; ++i) defect[i] += restricted[i] - residual[i];
-}
-
 }  // namespace
 
 template <class T>
@@ -118,12 +111,9 @@ void StressField<T>::take_defect(StressField& fine) {
       clear_where_none(fine.c.row(0, y, z), fine.out.row(k, y, z), fine.c.box().size(0));
   });
   const IndexBox covered = coarsened(fine.c.box());
-  const int first = covered.lo[0] - c.box().lo[0];
   for_each_row(covered, [&](int y, int z) {
     average_children(fine.out, start, row_of(covered, y, z), kToCoarse);
-    for (int k = 0; k < kStresses; ++k)
-      add_difference(start.row(k, y, z) + first, out.row(k, y, z) + first, defect.row(k, y, z) + first,
-                     covered.size(0));
+    add_difference(start, out, defect, row_of(covered, y, z));
   });
   for_each_row(c.box(),
                [&](int y, int z) { std::ranges::copy(p.whole_row(y, z), start.whole_row(y, z).begin()); });

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "solver/coupling/vector_units.hpp"
+#include "solver/fluid/composite/row_field.hpp"
 
 namespace capstan {
 namespace {
 
-constexpr int kLanes = 16;   // numbers of the widest register: loops over whole registers need no remainder
 constexpr int kBlock = 256;  // of a row at a time: what they send fits into the cache
 
 /// Loops run over the numbers of a row as they stand in memory, from the ghost before the first cell to the
@@ -17,8 +17,6 @@ struct Block {
   int first, last;  ///< to be written
   int from, to;     ///< that send to them
 };
-
-int padded(int cells) { return (cells + 2 + kLanes - 1) & ~(kLanes - 1); }
 
 /// The block that begins at a number of a row of so many.
 [[gnu::always_inline]] inline Block block_at(int first, int numbers) {
@@ -46,6 +44,18 @@ struct Sent {
   /// Nothing comes from outside of the row's memory.
   [[gnu::always_inline]] void begin(const Block& block) {
     for (int k = 0; k < kSums; ++k) right[k][kLanes - 1] = left[k][kLanes + block.last - block.first] = 0;
+  }
+
+  /// A sum in parts that do not and that do change sign with e_x.
+  [[gnu::always_inline]] void send(int k, int at, T even, T odd) {
+    right[k][at] = even + odd;
+    left[k][at] = even - odd;
+  }
+
+  [[gnu::always_inline]] T from_left(int k, int at) const { return right[k][at - 1]; }
+  [[gnu::always_inline]] T from_right(int k, int at) const { return left[k][at + 1]; }
+  [[gnu::always_inline]] T arrived(int k, int at) const {
+    return across[k][at] + (from_left(k, at) + from_right(k, at));
   }
 };
 /// Moments of e_y and e_z; those with e_x follow from right and left.
@@ -79,12 +89,9 @@ template <class T>
     const T odd = 2 * gx[i] + (sum(gx, s.y) + sum(gx, s.z));
     const T even_y = difference(rho, s.y) + 3 * sum(gy, s.y), odd_y = difference(gx, s.y);
     const T even_z = difference(rho, s.z) + 3 * sum(gz, s.z), odd_z = difference(gx, s.z);
-    sent.right[kSum][i + shift] = even + 3 * odd;
-    sent.left[kSum][i + shift] = even - 3 * odd;
-    sent.right[kSumY][i + shift] = even_y + 3 * odd_y;
-    sent.left[kSumY][i + shift] = even_y - 3 * odd_y;
-    sent.right[kSumZ][i + shift] = even_z + 3 * odd_z;
-    sent.left[kSumZ][i + shift] = even_z - 3 * odd_z;
+    sent.send(kSum, i + shift, even, 3 * odd);
+    sent.send(kSumY, i + shift, even_y, 3 * odd_y);
+    sent.send(kSumZ, i + shift, even_z, 3 * odd_z);
 
     // e_x = 0: the axes have twice the diagonals' weight, so they are twice the sums above (12 = 8 + 2 * 2)
     const auto phi = [&](int ey, int ez) {
@@ -147,13 +154,11 @@ template <class T>
     const T even = 2 * (rho[i] + axis) + (sum_y.even + sum_z.even), odd = 6 * gx[i] + (sum_y.odd + sum_z.odd);
     const T even_y = right_yp.even - right_yn.even, odd_y = right_yp.odd - right_yn.odd;
     const T even_z = right_zp.even - right_zn.even, odd_z = right_zp.odd - right_zn.odd;
-    const auto send = [&](int k, T even_part, T odd_part) {
-      sent.right[k][i + shift] = even_part + odd_part;
-      sent.left[k][i + shift] = even_part - odd_part;
-    };
-    send(kSum, even, odd);
-    send(kSumY, even_y, odd_y), send(kSumZ, even_z, odd_z);
-    send(kSumYY, sum_y.even, sum_y.odd), send(kSumZZ, sum_z.even, sum_z.odd);
+    sent.send(kSum, i + shift, even, odd);
+    sent.send(kSumY, i + shift, even_y, odd_y);
+    sent.send(kSumZ, i + shift, even_z, odd_z);
+    sent.send(kSumYY, i + shift, sum_y.even, sum_y.odd);
+    sent.send(kSumZZ, i + shift, sum_z.even, sum_z.odd);
 
     const T pp = corner(1, 1), pn = corner(1, -1), np = corner(-1, 1), nn = corner(-1, -1);
     const T corners = (pp + pn) + (np + nn), across_yy = 2 * (yp + yn) + corners,
@@ -179,25 +184,25 @@ template <class T, class Sent>
 #pragma GCC ivdep
   for (int i = block.first; i < block.last; ++i) {
     const Weights<T> weights = weights_at(i, row.count, row.keep, row.blend);
-    const auto from_left = [&](int j) { return sent.right[j][i + shift - 1]; };
-    const auto from_right = [&](int j) { return sent.left[j][i + shift + 1]; };
-    const auto arrived = [&](int j) { return sent.across[j][i + shift] + (from_left(j) + from_right(j)); };
     const auto put = [&](int j, T sum, T carried) {
       const std::ptrdiff_t at = i + j * k;
       out[at] = weights.keep * m[at] + weights.blend * (sum * T(1. / 36) + d[at] - carried);
     };
     const auto carried = [&](int j) { return row.shear * (m[i + 1 + j * k] - m[i - 1 + j * k]); };
-    put(kRho, arrived(kSum), 0);
-    put(kGx, from_left(kSum) - from_right(kSum), carried(kGx) + row.lift * m[i + kGy * k]);
-    put(kGy, arrived(kSumY), carried(kGy));
-    put(kGz, arrived(kSumZ), carried(kGz));
+    const int from = i + shift;
+    put(kRho, sent.arrived(kSum, from), 0);
+    put(kGx, sent.from_left(kSum, from) - sent.from_right(kSum, from),
+        carried(kGx) + row.lift * m[i + kGy * k]);
+    put(kGy, sent.arrived(kSumY, from), carried(kGy));
+    put(kGz, sent.arrived(kSumZ, from), carried(kGz));
   }
 }
 
-/// The same for the stresses.
+/// The same, and for the stresses.
 template <class T>
-[[gnu::always_inline]] inline void relax_stress(const StressRow<T>& row, const Block& block,
-                                                const StressSent<T>& sent) {
+[[gnu::always_inline]] inline void relax(const StressRow<T>& row, const Block& block,
+                                         const StressSent<T>& sent) {
+  relax(row.fluid, block, sent);
   const std::ptrdiff_t k = row.stress_strides.component;
   const T* __restrict p = begin_of(row.p);
   const T* __restrict d = begin_of(row.p_defect);
@@ -206,27 +211,26 @@ template <class T>
 #pragma GCC ivdep
   for (int i = block.first; i < block.last; ++i) {
     const Weights<T> weights = weights_at(i, row.fluid.count, row.p_keep, row.p_blend);
-    const auto from_left = [&](int j) { return sent.right[j][i + shift - 1]; };
-    const auto from_right = [&](int j) { return sent.left[j][i + shift + 1]; };
-    const auto arrived = [&](int j) { return sent.across[j][i + shift] + (from_left(j) + from_right(j)); };
     const auto put = [&](int j, T sum) {
       const std::ptrdiff_t at = i + j * k;
       out[at] = weights.keep * p[at] + weights.blend * (sum * T(1. / 36) + d[at]);
     };
-    const T sum_xx = from_left(kSum) + from_right(kSum), sum_yy = arrived(kSumYY), sum_zz = arrived(kSumZZ);
+    const int from = i + shift;
+    const T sum_xx = sent.from_left(kSum, from) + sent.from_right(kSum, from);
+    const T sum_yy = sent.arrived(kSumYY, from), sum_zz = sent.arrived(kSumZZ, from);
     const T trace = (sum_xx + sum_yy + sum_zz) * T(1. / 3);
     put(kXX, sum_xx - trace);
     put(kYY, sum_yy - trace);
-    put(kXY, from_left(kSumY) - from_right(kSumY));
-    put(kXZ, from_left(kSumZ) - from_right(kSumZ));
-    put(kYZ, sent.across[kSumYZ][i + shift]);
+    put(kXY, sent.from_left(kSumY, from) - sent.from_right(kSumY, from));
+    put(kXZ, sent.from_left(kSumZ, from) - sent.from_right(kSumZ, from));
+    put(kYZ, sent.across[kSumYZ][from]);
   }
 }
 
-template <class T>
-[[gnu::always_inline]] inline void sweep_fluid_row(const FluidRow<T>& row) {
-  FluidSent<T> sent;
-  const int numbers = padded(row.count);
+template <class Sent, class Row>
+[[gnu::always_inline]] inline void sweep(const Row& row, int cells) {
+  Sent sent;
+  const int numbers = whole_lanes(cells + 2);
   for (int first = 0; first < numbers; first += kBlock) {
     const Block block = block_at(first, numbers);
     sent.begin(block);
@@ -235,24 +239,17 @@ template <class T>
   }
 }
 
-template <class T>
-[[gnu::always_inline]] inline void sweep_stress_row(const StressRow<T>& row) {
-  StressSent<T> sent;
-  const int numbers = padded(row.fluid.count);
-  for (int first = 0; first < numbers; first += kBlock) {
-    const Block block = block_at(first, numbers);
-    sent.begin(block);
-    gather(row, block, sent);
-    relax(row.fluid, block, sent);
-    relax_stress(row, block, sent);
-  }
-}
-
 }  // namespace
 
-CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<float>& row) { sweep_fluid_row(row); }
-CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<double>& row) { sweep_fluid_row(row); }
-CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<float>& row) { sweep_stress_row(row); }
-CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<double>& row) { sweep_stress_row(row); }
+CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<float>& row) { sweep<FluidSent<float>>(row, row.count); }
+CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<double>& row) {
+  sweep<FluidSent<double>>(row, row.count);
+}
+CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<float>& row) {
+  sweep<StressSent<float>>(row, row.fluid.count);
+}
+CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<double>& row) {
+  sweep<StressSent<double>>(row, row.fluid.count);
+}
 
 }  // namespace capstan
