@@ -1,6 +1,5 @@
 #include "runner/queue/replacement.hpp"
 
-#include <algorithm>
 #include <vector>
 
 #include "solver/case/content_id.hpp"
@@ -70,8 +69,8 @@ Issues replace_failed(Database& database, const std::string& study_id, const nlo
     document["fidelity"] = fidelity;
     const ParsedCase parsed = parse_case(document);
     if (parsed.value) replace(database, id, *parsed.value, study_id);
-    for (const Issue& issue : parsed.issues)
-      if (std::find(issues.begin(), issues.end(), issue) == issues.end()) issues.push_back(issue);
+    issues = parsed.issues;
+    if (!issues.empty()) break;
   }
   if (issues.empty()) transaction.commit();
   return issues;

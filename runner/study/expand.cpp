@@ -18,14 +18,6 @@ double product_size(const std::vector<Axis>& axes) {
   return size;
 }
 
-nlohmann::json case_at(const nlohmann::json& base, const std::vector<Axis>& axes,
-                       const AxisIndices& indices) {
-  nlohmann::json flat = base;
-  for (std::size_t axis = 0; axis < axes.size(); ++axis)
-    flat[axes[axis].parameter()] = axes[axis].value(indices[axis]);
-  return flat;
-}
-
 std::string study_pointer(const std::string& case_pointer, const std::vector<Axis>& axes,
                           const AxisIndices& indices) {
   const std::string parameter = first_token(case_pointer);

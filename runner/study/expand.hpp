@@ -15,10 +15,7 @@ AxisIndices axis_indices(const std::vector<Axis>& axes, std::size_t point);
 /// Number of points; a double, since nothing has bounded it yet.
 double product_size(const std::vector<Axis>& axes);
 
-/// The flat case at one point.
-nlohmann::json case_at(const nlohmann::json& base, const std::vector<Axis>& axes, const AxisIndices& indices);
-
-/// Where a fault of that case stands in the study: case pointer "/Ca" → "/axes/Ca/2" or "/base/Ca".
+/// Where a fault of a case at one point stands in the study: case pointer "/Ca" → "/axes/Ca/2" or "/base/Ca".
 std::string study_pointer(const std::string& case_pointer, const std::vector<Axis>& axes,
                           const AxisIndices& indices);
 

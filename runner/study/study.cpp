@@ -24,6 +24,30 @@ std::string whole(double number) {
   return {text.data(), std::to_chars(text.begin(), text.end(), number, std::chars_format::fixed, 0).ptr};
 }
 
+/// The axis that a fault of an expanded case belongs to; nothing if it is one of the base.
+std::optional<std::size_t> axis_of(const std::string& case_pointer, const std::vector<Axis>& axes) {
+  const std::string parameter = first_token(case_pointer);
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    if (axes[axis].parameter() == parameter) return axis;
+  return std::nullopt;
+}
+
+/// Takes out what stands at the pointer, if anything does.
+void erase_at(json& object, const std::string& pointer) {
+  const json::json_pointer place(pointer);
+  if (place.empty() || !object.contains(place)) return;
+  object[place.parent_pointer()].erase(place.back());
+}
+
+/// The first faults tell what to do; a list of all could be larger than the document.
+void limit_number(Issues& issues) {
+  constexpr std::size_t kMaxReported = 100;
+  if (issues.size() <= kMaxReported) return;
+  const std::size_t more = issues.size() - kMaxReported;
+  issues.resize(kMaxReported);
+  issues.push_back({"", "and " + std::to_string(more) + " more faults"});
+}
+
 /// Reads one document; what is wrong with it gathers in `issues`, at most one fault a pointer.
 class StudyReader {
  public:
@@ -88,14 +112,12 @@ class StudyReader {
   }
 
   void refuse_other_axes(const json& given) {
+    const auto& known = axis_parameters();
     std::string names;
-    for (const std::string_view name : axis_parameters())
-      names += (names.empty() ? "" : ", ") + std::string(name);
-    for (const auto& [key, value] : given.items()) {
-      const auto& known = axis_parameters();
+    for (const std::string_view name : known) names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const auto& [key, value] : given.items())
       if (std::find(known.begin(), known.end(), key) == known.end())
         fault(pointer_to("/axes", key), "cannot be an axis; these can: " + names);
-    }
   }
 
   const json* read_base() {
@@ -112,7 +134,9 @@ class StudyReader {
     return &*base;
   }
 
-  std::vector<Case> expand(const json& base, const std::vector<Axis>& axes) {
+  /// A key of the base or a value of an axis at which a fault was found is not tried again: so the time grows
+  /// with the document and with the number of cases, not with their product.
+  std::vector<Case> expand(json base, const std::vector<Axis>& axes) {
     double points = product_size(axes);
     if (points > static_cast<double>(kMostCases)) {
       fault("/axes", "make a grid of " + whole(points) + " cases; at most " + std::to_string(kMostCases) +
@@ -127,18 +151,34 @@ class StudyReader {
     return cases;
   }
 
-  std::optional<Case> read_case(const json& base, const std::vector<Axis>& axes, const AxisIndices& indices) {
-    ParsedCase parsed = parse_case(case_at(base, axes, indices));
+  std::optional<Case> read_case(json& base, const std::vector<Axis>& axes, const AxisIndices& indices) {
+    json flat = base;
+    std::set<std::string> left_out = faulty_axes_;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+      if (faulty_values_.contains({axis, indices[axis]}))
+        left_out.insert(axes[axis].parameter());
+      else
+        flat[axes[axis].parameter()] = axes[axis].value(indices[axis]);
+    ParsedCase parsed = parse_case(flat);
     for (const Issue& issue : parsed.issues)
-      if (!faulty_axes_.contains(first_token(issue.pointer)))
-        fault(study_pointer(issue.pointer, axes, indices), issue.message);
+      if (!left_out.contains(first_token(issue.pointer))) add_case_fault(issue, base, axes, indices);
     return parsed.value;
+  }
+
+  void add_case_fault(const Issue& issue, json& base, const std::vector<Axis>& axes,
+                      const AxisIndices& indices) {
+    fault(study_pointer(issue.pointer, axes, indices), issue.message);
+    if (const auto axis = axis_of(issue.pointer, axes))
+      faulty_values_.insert({*axis, indices[*axis]});
+    else
+      erase_at(base, issue.pointer);
   }
 
   const json& document_;
   Issues& issues_;
   std::set<std::string> faulty_;       ///< pointers
   std::set<std::string> faulty_axes_;  ///< parameters: that the cases lack them is no second fault
+  std::set<std::pair<std::size_t, std::size_t>> faulty_values_;  ///< axis, index of the value
 };
 
 }  // namespace
@@ -151,11 +191,13 @@ ParsedStudy parse_study(const json& document) {
   }
   Study study = StudyReader(document, parsed.issues).read();
   if (parsed.issues.empty()) parsed.value = std::move(study);
+  limit_number(parsed.issues);
   return parsed;
 }
 
 ParsedStudy parse_study_text(std::string_view text) {
   ParsedJson json = parse_json(text);
+  limit_number(json.issues);
   if (!json.value) return {std::nullopt, std::move(json.issues)};
   return parse_study(*json.value);
 }

@@ -29,7 +29,7 @@ struct ParsedStudy {
 };
 
 /// Reads and expands a study. Every fault is reported, once: one of an expanded case stands at the axis value
-/// or base key that it comes from.
+/// or base key that it comes from. Beyond 100 faults only their number is told.
 ParsedStudy parse_study(const nlohmann::json& document);
 
 /// The same from text, which may not even be JSON.

@@ -28,9 +28,7 @@ Response post_study(Service& service, const Request& request, const std::string&
     return problem(400, "Invalid key", "an Idempotency-Key has at most 200 characters");
   const ParsedStudy parsed = parse_study_text(request.body);
   if (!parsed.value) {
-    const std::string count = std::to_string(parsed.issues.size());
-    return problem(422, "Invalid study",
-                   count + (count == "1" ? " fault" : " faults") + ", nothing was queued", parsed.issues);
+    return problem(422, "Invalid study", "the study is not valid, nothing was queued", parsed.issues);
   }
   const Submission submission = service.submit(*parsed.value, request.idempotency_key);
   const Readers::Reader database = service.reader();

@@ -325,6 +325,44 @@ bool nested_deeper_than(int limit, std::string_view text) {
   return false;
 }
 
+/// Looks for keys that stand twice in one object; nlohmann's own check by a callback of json::parse takes
+/// time that grows with the square of the number of objects in one array.
+class DuplicateKeys : public nlohmann::json_sax<json> {
+ public:
+  explicit DuplicateKeys(Issues& issues) : issues_(issues) {}
+
+  bool start_object(std::size_t) override {
+    keys_.emplace_back();
+    return true;
+  }
+  bool key(string_t& name) override {
+    if (!keys_.back().insert(name).second)
+      issues_.push_back({"", "the key \"" + name + "\" stands twice in one object"});
+    return true;
+  }
+  bool end_object() override {
+    keys_.pop_back();
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const json::exception& error) override {
+    issues_.push_back({"", std::string("not valid JSON: ") + error.what()});
+    return false;
+  }
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+
+ private:
+  Issues& issues_;
+  std::vector<std::set<std::string>> keys_;  ///< of the objects that are open
+};
+
 }  // namespace
 
 ParsedJson parse_json(std::string_view text) {
@@ -334,20 +372,9 @@ ParsedJson parse_json(std::string_view text) {
     parsed.issues.push_back({"", "nested deeper than " + std::to_string(kDeepest) + " levels"});
     return parsed;
   }
-  std::vector<std::set<std::string>> keys;
-  const auto inspect = [&](int, json::parse_event_t event, json& value) {
-    if (event == json::parse_event_t::object_start) keys.emplace_back();
-    if (event == json::parse_event_t::object_end) keys.pop_back();
-    if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      parsed.issues.push_back({"", "the key \"" + value.get<std::string>() + "\" stands twice in one object"});
-    return true;
-  };
-  try {
-    parsed.value = json::parse(text.begin(), text.end(), inspect);
-  } catch (const json::exception& error) {
-    parsed.issues.push_back({"", std::string("not valid JSON: ") + error.what()});
-  }
-  if (!parsed.issues.empty()) parsed.value.reset();
+  DuplicateKeys duplicates(parsed.issues);
+  json::sax_parse(text.begin(), text.end(), &duplicates);
+  if (parsed.issues.empty()) parsed.value = json::parse(text.begin(), text.end());
   return parsed;
 }
 

@@ -141,5 +141,53 @@ TEST(Study, NotANumberIsRefused) {
   EXPECT_FALSE(parse_study_text(R"({"name": "a", "base": {"Ca": 1e999}})").value);
 }
 
+/// Each of these took minutes when the document was looked at again for every case.
+TEST(Study, UnknownKeysOfTheBaseAreLookedAtOnceForAllCases) {
+  json document = red_cell_grid();
+  document["axes"] = {{"Ca", {{"from", 0.1}, {"to", 1}, {"count", 10000}}}};
+  for (int i = 0; i < 6000; ++i) {
+    document["base"]["key" + std::to_string(i)] = i;
+    document["base"]["until"]["key" + std::to_string(i)] = i;
+  }
+  const ParsedStudy parsed = parse_study(document);
+  EXPECT_EQ(parsed.issues.size(), 101u);
+  EXPECT_EQ(parsed.issues.back().message, "and 11900 more faults");
+}
+
+TEST(Study, FaultyValueOfAnAxisIsLookedAtOnceForAllCases) {
+  json document = red_cell_grid();
+  document["base"].erase("fidelity");
+  json knobs;
+  for (int i = 0; i < 6000; ++i) knobs["key" + std::to_string(i)] = i;
+  document["axes"] = {{"Ca", {{"from", 0.1}, {"to", 1}, {"count", 5000}}}, {"fidelity", {"fast", knobs}}};
+  EXPECT_EQ(parse_study(document).issues.size(), 101u);
+}
+
+TEST(Study, LongWordInTheBaseIsLookedAtOnceForAllCases) {
+  json document = red_cell_grid();
+  document["base"]["shape"] = std::string(500'000, 'a');
+  document["axes"] = {{"Ca", {{"from", 0.1}, {"to", 1}, {"count", 10000}}}};
+  EXPECT_THAT(faults_of(document), ElementsAre("/base/shape"));
+}
+
+TEST(Study, ListOfManyObjectsIsReadInOnePass) {
+  std::string text = "[{}";
+  for (int i = 0; i < 300'000; ++i) text += ",{}";
+  EXPECT_EQ(parse_study_text(text + "]").issues.size(), 1u);
+  std::string object = "{\"name\": \"a\", \"base\": {\"Ca\": [{}";
+  for (int i = 0; i < 300'000; ++i) object += ",{}";
+  EXPECT_EQ(parse_study_text(object + "]}}").issues.size(), 1u);
+}
+
+TEST(Study, FaultsOfOneKeyDoNotHideThoseOfAnother) {
+  json document = red_cell_grid();
+  document["base"]["fidelity"] = {{"nodes", 100}, {"dx", 7}, {"colour", "red"}};
+  document["base"]["until"] = {{"kt", 0}, {"colour", "red"}};
+  document["axes"]["Ca"] = {-1, 0.25, -1};
+  EXPECT_THAT(faults_of(document),
+              UnorderedElementsAre("/base/fidelity/nodes", "/base/fidelity/dx", "/base/fidelity/colour",
+                                   "/base/until/kt", "/base/until/colour", "/axes/Ca/0", "/axes/Ca/2"));
+}
+
 }  // namespace
 }  // namespace capstan
