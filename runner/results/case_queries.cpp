@@ -48,10 +48,6 @@ std::optional<double> number_in(const std::string& text) {
   return number;
 }
 
-bool is_one_of(const std::string& value, std::initializer_list<const char*> words) {
-  return std::find(words.begin(), words.end(), value) != words.end();
-}
-
 /// SQL for one condition; its values are the next two parameters.
 std::string condition_on(const std::string& key, const std::string& value) {
   if (key == "state") return " AND c.state IN (?, ?)";
@@ -96,24 +92,6 @@ ordered_json studies_of(Database& database, const std::string& case_id) {
 }
 
 }  // namespace
-
-Issues check_filter(const CaseFilter& filter) {
-  Issues issues;
-  for (const auto& [key, value] : filter) {
-    const auto& parameters = scalar_parameters();
-    if (key == "state") {
-      if (!is_one_of(value, {"queued", "running", "done", "failed", "diverged", "cancelled"}))
-        issues.push_back({key, "must be one of: queued, running, done, failed, diverged, cancelled"});
-    } else if (key == "motion") {
-      if (!is_one_of(value, {"tumbling", "tank_treading", "transition", "undecided"}))
-        issues.push_back({key, "must be one of: tumbling, tank_treading, transition, undecided"});
-    } else if (std::find(parameters.begin(), parameters.end(), key) == parameters.end()) {
-      issues.push_back(
-          {key, "cannot be filtered by: use motion, state or a parameter of the cases, as in ?Ca=0.25"});
-    }
-  }
-  return issues;
-}
 
 Page find_cases(Database& database, const std::string& study_id, const CaseFilter& filter,
                 const PageRequest& wanted) {

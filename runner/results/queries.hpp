@@ -34,9 +34,6 @@ std::optional<nlohmann::ordered_json> find_study(Database& database, const std::
 /// value.
 using CaseFilter = std::vector<std::pair<std::string, std::string>>;
 
-/// The conditions that cannot be met, since there is no such parameter, state or motion.
-Issues check_filter(const CaseFilter& filter);
-
 /// The cases of a study, in the study's order. The filter has been checked.
 Page find_cases(Database& database, const std::string& study_id, const CaseFilter& filter,
                 const PageRequest& wanted);

@@ -1,7 +1,11 @@
 #include "runner/web/address.hpp"
 
+#include <arpa/inet.h>
+
 #include <charconv>
 #include <stdexcept>
+
+#include "runner/web/head.hpp"
 
 namespace capstan {
 
@@ -20,7 +24,9 @@ Address parse_address(const std::string& text) {
 }
 
 bool is_loopback(const Address& address) {
-  return address.host == "127.0.0.1" || address.host == "::1" || address.host == "localhost";
+  in_addr ipv4{};
+  if (inet_pton(AF_INET, address.host.c_str(), &ipv4) == 1) return ntohl(ipv4.s_addr) >> 24 == 127;
+  return address.host == "::1" || equal_ignoring_case(address.host, "localhost");
 }
 
 std::string url_of(const Address& address) {

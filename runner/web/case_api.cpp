@@ -1,6 +1,7 @@
 #include "runner/results/export.hpp"
 #include "runner/results/queries.hpp"
 #include "runner/results/why.hpp"
+#include "runner/web/accept.hpp"
 #include "runner/web/api.hpp"
 
 namespace capstan {
@@ -12,7 +13,8 @@ Response no_such_case(const std::string& id) {
 
 bool wants_csv(const Request& request) {
   const std::string format = query_value(request, "format");
-  return format.empty() ? request.accept.find("text/csv") != std::string::npos : format == "csv";
+  if (!format.empty()) return format == "csv";
+  return accepted_quality(request.accept, "text/csv") > accepted_quality(request.accept, "application/json");
 }
 
 }  // namespace
@@ -36,7 +38,10 @@ Response get_case_history(Service& service, const Request& request, const std::s
   const Readers::Reader database = service.reader();
   const auto history = find_history(*database, id);
   if (!history) return no_such_case(id);
-  return wants_csv(request) ? csv_response(as_csv(history_table(*history))) : json_response(200, *history);
+  Response response =
+      wants_csv(request) ? csv_response(as_csv(history_table(*history))) : json_response(200, *history);
+  response.headers["Vary"] = "Accept";
+  return response;
 }
 
 }  // namespace capstan

@@ -115,9 +115,10 @@ bool Connection::is_writable() const {
 }
 
 void Connection::refuse(const Response& response, bool is_head_request) {
-  std::string text =
-      "HTTP/1.1 " + std::to_string(response.status) + " \r\nContent-Type: " + response.content_type +
-      "\r\nContent-Length: " + std::to_string(response.body.size()) + "\r\nConnection: close\r\n";
+  std::string text = "HTTP/1.1 " + std::to_string(response.status) +
+                     " \r\nContent-Type: " + response.content_type +
+                     "\r\nContent-Length: " + std::to_string(response.body.size()) +
+                     "\r\nConnection: close\r\nX-Content-Type-Options: nosniff\r\n";
   for (const auto& [name, value] : response.headers) text += name + ": " + value + "\r\n";
   text += "\r\n" + (is_head_request ? "" : response.body);
   write(text);

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <charconv>
 
+#include "runner/web/target.hpp"
+
 namespace capstan {
 namespace {
 
@@ -48,8 +50,11 @@ std::optional<Response> read_target(string_view target, Head& head) {
   head.target = target;
   if (target.front() != '/') return bad_request("the target must be a path");
   if (target.find('#') != target.npos) return bad_request("a fragment is not sent to a server");
-  if (std::min(target.find('?'), target.size()) > kLongestPath)
-    return problem(414, "URI too long", "paths have at most 1000 characters");
+  const string_view path = target.substr(0, target.find('?'));
+  if (path.size() > kLongestPath) return problem(414, "URI too long", "paths have at most 1000 characters");
+  if (!percent_decoded(target))
+    return bad_request("a % in the target is not followed by two hexadecimal digits");
+  if (has_control_characters(*percent_decoded(path))) return bad_request("the path has a control character");
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <iostream>
@@ -10,6 +11,7 @@
 
 #include "runner/results/timestamp.hpp"
 #include "runner/web/routes.hpp"
+#include "runner/web/target.hpp"
 #include "runner/web/traffic.hpp"
 
 namespace capstan {
@@ -17,10 +19,22 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
+/// A header that may stand in several lines is one list.
+std::string all_values(const httplib::Request& in, const std::string& name) {
+  std::string list;
+  const auto [first, last] = in.headers.equal_range(name);
+  for (auto field = first; field != last; ++field) list += (list.empty() ? "" : ", ") + field->second;
+  return list;
+}
+
 Request received_by(const httplib::Request& in) {
-  Request request{
-      in.method == "HEAD" ? "GET" : in.method, in.path, {}, in.get_header_value("Accept"), in.body};
-  request.query.assign(in.params.begin(), in.params.end());
+  const std::size_t mark = std::min(in.target.find('?'), in.target.size());
+  Request request{in.method == "HEAD" ? "GET" : in.method,
+                  in.target.substr(0, mark),
+                  {},
+                  all_values(in, "Accept"),
+                  in.body};
+  if (mark < in.target.size()) request.query = read_query(std::string_view(in.target).substr(mark + 1));
   request.idempotency_key = in.get_header_value("Idempotency-Key");
   request.if_none_match = in.get_header_value("If-None-Match");
   request.last_event_id = in.get_header_value("Last-Event-ID");
@@ -33,6 +47,12 @@ void put_fields(const Head& head, httplib::Request& in) {
   in.headers.clear();
   for (const auto& [name, value] : head.fields)
     if (!equal_ignoring_case(name, "Accept-Encoding")) in.headers.emplace(name, value);
+}
+
+void put_head(const Response& response, httplib::Response& out) {
+  out.status = response.status;
+  out.set_header("X-Content-Type-Options", "nosniff");
+  for (const auto& [name, value] : response.headers) out.set_header(name, value);
 }
 
 /// More may be on its way: that of a request whose head is not known, too.
@@ -165,8 +185,7 @@ void HttpServer::pass_on(Connection& connection, const ReceivedHead& received, c
 
 void HttpServer::send(httplib::Response& out, const Response& response) {
   if (response.next) return send_stream(out, response);
-  out.status = response.status;
-  for (const auto& [name, value] : response.headers) out.set_header(name, value);
+  put_head(response, out);
   out.set_content(response.body, response.content_type);
 }
 
@@ -178,8 +197,7 @@ void HttpServer::send_stream(httplib::Response& out, const Response& response) {
     refusal.headers["Retry-After"] = "5";
     return send(out, refusal);
   }
-  out.status = response.status;
-  for (const auto& [name, value] : response.headers) out.set_header(name, value);
+  put_head(response, out);
   out.set_content_provider(
       response.content_type,
       [next = response.next](std::size_t, httplib::DataSink& sink) {

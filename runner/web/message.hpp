@@ -12,10 +12,12 @@
 
 namespace capstan {
 
+using Query = std::vector<std::pair<std::string, std::string>>;
+
 struct Request {
   std::string method;
-  std::string path;
-  std::vector<std::pair<std::string, std::string>> query;
+  std::string path;    ///< as it came, its %-escapes not decoded
+  Query query;         ///< decoded, in the order in which it came
   std::string accept;  ///< the header of that name
   std::string body;
   std::string idempotency_key = {};  ///< the header of that name

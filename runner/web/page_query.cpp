@@ -36,14 +36,6 @@ std::optional<std::int64_t> position(const std::string& list, const std::string&
   return number_of<std::int64_t>(std::string_view(cursor).substr(list.size()), 16);
 }
 
-void read_limit(const std::string& value, PageQuery& page) {
-  const auto limit = number_of<int>(value, 10);
-  if (limit && *limit >= 1 && *limit <= PageRequest::kMost)
-    page.wanted.limit = *limit;
-  else
-    page.issues.push_back({"limit", "must be a whole number from 1 to 1000"});
-}
-
 void read_after(const std::string& value, PageQuery& page) {
   page.wanted.after = position(page.list, value);
   if (!page.wanted.after)
@@ -58,7 +50,7 @@ PageQuery read_page_query(const Request& request) {
     if (key != "limit" && key != "after") page.rest.emplace_back(key, value);
   page.list = name_of_list(request.path, page.rest);
   for (const auto& [key, value] : request.query) {
-    if (key == "limit") read_limit(value, page);
+    if (key == "limit") page.wanted.limit = number_of<int>(value, 10).value_or(PageRequest::kMost);
     if (key == "after") read_after(value, page);
   }
   return page;

@@ -12,6 +12,7 @@ struct PageQuery {
   std::string list;  ///< names the list by path and filter: the cursor of another one is refused
 };
 
+/// The parameters have been checked.
 PageQuery read_page_query(const Request& request);
 
 /// Adds `next`, a cursor, or null on the last page.

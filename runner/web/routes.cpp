@@ -2,11 +2,16 @@
 
 #include <iostream>
 #include <optional>
+#include <vector>
 
+#include "runner/web/target.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {
 namespace {
+
+constexpr std::string_view kRetryKeys[] = {"fidelity"};
+constexpr std::string_view kPriorityKeys[] = {"priority"};
 
 constexpr Route kRoutes[] = {
     {"GET", "/healthz", get_health},
@@ -15,32 +20,42 @@ constexpr Route kRoutes[] = {
     {"GET", "/openapi.yaml", get_openapi},
     {"GET", "/study.schema.json", get_study_schema},
     {"GET", "/case.schema.json", get_case_schema},
-    {"POST", "/v1/studies", post_study},
-    {"GET", "/v1/studies", get_studies},
+    {"POST", "/v1/studies", post_study, nullptr, {}, true},
+    {"GET", "/v1/studies", get_studies, page_parameters},
     {"GET", "/v1/studies/{id}", get_study},
-    {"GET", "/v1/studies/{id}/cases", get_study_cases},
-    {"GET", "/v1/studies/{id}/phase-diagram", get_phase_diagram},
+    {"GET", "/v1/studies/{id}/cases", get_study_cases, case_list_parameters},
+    {"GET", "/v1/studies/{id}/phase-diagram", get_phase_diagram, phase_diagram_parameters},
     {"GET", "/v1/studies/{id}/events", get_study_events},
     {"POST", "/v1/studies/{id}/cancel", cancel_study},
     {"POST", "/v1/studies/{id}/pause", pause_study},
     {"POST", "/v1/studies/{id}/resume", resume_study},
-    {"POST", "/v1/studies/{id}/retry", retry_study},
-    {"POST", "/v1/studies/{id}/priority", set_priority},
+    {"POST", "/v1/studies/{id}/retry", retry_study, nullptr, kRetryKeys},
+    {"POST", "/v1/studies/{id}/priority", set_priority, nullptr, kPriorityKeys},
     {"GET", "/v1/cases/{id}", get_case},
     {"GET", "/v1/cases/{id}/why", get_case_why},
-    {"GET", "/v1/cases/{id}/history", get_case_history},
+    {"GET", "/v1/cases/{id}/history", get_case_history, history_parameters},
 };
 
 /// The path's id ("" on a route without one), if the path matches the route's.
-std::optional<std::string> match(std::string_view pattern, std::string_view path) {
-  constexpr std::string_view kId = "{id}";
-  const std::size_t at = pattern.find(kId);
-  if (at == std::string_view::npos) return path == pattern ? std::optional<std::string>("") : std::nullopt;
-  const std::string_view after = pattern.substr(at + kId.size());
-  if (!path.starts_with(pattern.substr(0, at)) || !path.ends_with(after)) return std::nullopt;
-  if (path.size() <= at + after.size()) return std::nullopt;
-  const std::string_view id = path.substr(at, path.size() - at - after.size());
-  return id.find('/') == std::string_view::npos ? std::optional<std::string>(id) : std::nullopt;
+std::optional<std::string> match(std::string_view pattern, const std::vector<std::string>& segments) {
+  const std::vector<std::string> parts = path_segments(pattern);
+  if (parts.size() != segments.size()) return std::nullopt;
+  std::string id;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool is_id = parts[i].starts_with('{') && !segments[i].empty();
+    if (!is_id && parts[i] != segments[i]) return std::nullopt;
+    if (is_id) id = segments[i];
+  }
+  return id;
+}
+
+/// A query and a body that the route does not know are refused, not ignored.
+std::optional<Response> refuse_unknown(const Route& route, const Request& request) {
+  const Issues query = check_query(route.query ? route.query() : std::span<const Parameter>(), request.query);
+  if (!query.empty()) return problem(400, "Invalid query", "the query makes no sense here", query);
+  const Issues body = route.reads_body ? Issues() : check_body(route.body_keys, request.body);
+  if (!body.empty()) return problem(422, "Invalid body", "nothing was changed", body);
+  return std::nullopt;
 }
 
 Response not_allowed(const std::string& allowed) {
@@ -69,10 +84,14 @@ std::span<const Route> routes() { return kRoutes; }
 
 Response respond(Service& service, const Request& request) try {
   std::string allowed;
+  const std::vector<std::string> segments = path_segments(request.path);
   for (const Route& route : kRoutes) {
-    const auto id = match(route.path, request.path);
+    const auto id = match(route.path, segments);
     if (!id) continue;
-    if (route.method == request.method) return tagged(route.handler(service, request, *id), request);
+    if (route.method == request.method) {
+      if (auto refusal = refuse_unknown(route, request)) return *refusal;
+      return tagged(route.handler(service, request, *id), request);
+    }
     allowed += (allowed.empty() ? "" : ", ") + std::string(route.method);
   }
   return allowed.empty() ? problem(404, "Not found", "there is nothing at " + request.path)

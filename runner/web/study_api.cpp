@@ -55,10 +55,8 @@ Response get_study(Service& service, const Request&, const std::string& id) {
 }
 
 Response get_study_cases(Service& service, const Request& request, const std::string& id) {
-  PageQuery page = read_page_query(request);
-  for (Issue& issue : check_filter(page.rest)) page.issues.push_back(std::move(issue));
-  if (!page.issues.empty())
-    return problem(400, "Invalid filter", "the query does not select cases", page.issues);
+  const PageQuery page = read_page_query(request);
+  if (!page.issues.empty()) return problem(400, "Invalid page", "the query names no page", page.issues);
   const Readers::Reader database = service.reader();
   if (!find_study(*database, id)) return no_such_study(id);
   const Page found = find_cases(*database, id, page.rest, page.wanted);

@@ -86,6 +86,19 @@ TEST_F(DoorTest, NamesOfTheServerAreThoseThatWereGiven) {
             403);
 }
 
+TEST_F(DoorTest, AnyLoopbackAddressServesWithoutAToken) {
+  const Daemon daemon(data_.path(), {"--listen", "127.0.0.2:0"});
+  EXPECT_THAT(daemon.url(), StartsWith("http://127.0.0.2:"));
+  EXPECT_EQ(run_capstan("studies --server " + daemon.url()).exit_code, 0);
+}
+
+TEST_F(DoorTest, NoAnswerIsTakenForAnotherType) {
+  const Daemon daemon(data_.path());
+  for (const char* target : {"/healthz", "/nothing", "/v1/studies?a=b", "/v1/%"})
+    EXPECT_THAT(ask(daemon, request_text("GET", target)),
+                HasSubstr("\r\nX-Content-Type-Options: nosniff\r\n"));
+}
+
 TEST_F(DoorTest, AnswerIsNeverCompressedSoThatItsTagHolds) {
   const Daemon daemon(data_.path());
   const std::string plain = ask(daemon, request_text("GET", "/openapi.yaml"));

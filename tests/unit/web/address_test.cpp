@@ -14,9 +14,10 @@ TEST(Address, IsReadAndShown) {
 }
 
 TEST(Address, OfThisMachineIsNoOtherMachines) {
-  for (const char* text : {"127.0.0.1:8017", "localhost:80", "[::1]:8017"})
+  for (const char* text : {"127.0.0.1:8017", "127.0.0.2:8017", "127.255.3.4:1", "localhost:80", "[::1]:8017"})
     EXPECT_TRUE(is_loopback(parse_address(text))) << text;
-  for (const char* text : {"0.0.0.0:8017", "192.168.1.2:8017", "[::]:8017", "example.org:80"})
+  for (const char* text : {"0.0.0.0:8017", "128.0.0.1:80", "127.0.0.1.evil.example:80", "192.168.1.2:8017",
+                           "[::]:8017", "example.org:80"})
     EXPECT_FALSE(is_loopback(parse_address(text))) << text;
 }
 

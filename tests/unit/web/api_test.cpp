@@ -7,6 +7,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "runner/web/routes.hpp"
 #include "tests/support/service_fixture.hpp"
@@ -114,6 +115,95 @@ TEST_F(ApiTest, FilterThatCannotBeMetIsRefused) {
   EXPECT_EQ(get(path, {{"colour", "red"}}).status, 400);
   EXPECT_EQ(get(path, {{"motion", "flying"}}).status, 400);
   EXPECT_EQ(get(path, {{"Ca') OR 1 --", "1"}}).status, 400);
+}
+
+TEST_F(ApiTest, QueryThatMakesNoSenseIsRefusedWithWhatIsAllowed) {
+  const std::string study = "/v1/studies/" + submit_and_complete_one();
+  const std::string history = "/v1/cases/" + cases(study.substr(12))[0]["id"].get<std::string>() + "/history";
+  const std::vector<std::tuple<std::string, Query, std::string>> bad = {
+      {study + "/cases", {{"Ca", "abc"}}, "must be a number"},
+      {study + "/cases", {{"Ca", "nan"}}, "must be a number"},
+      {study + "/cases", {{"V", "inf"}}, "must be a number"},
+      {study + "/cases", {{"Re", "0.1x"}}, "must be a number"},
+      {study + "/cases", {{"c0", "unifrom"}}, "initial, uniform"},
+      {study + "/cases", {{"shape", "spher"}}, "must be one of: sphere, oblate, prolate, biconcave"},
+      {study + "/cases", {{"law", "Skalak"}}, "must be one of: neo-hookean, skalak"},
+      {study + "/cases", {{"bending", "x"}}, "must be one of: variational"},
+      {study + "/cases", {{"fluid", "water"}}, "must be one of: quasisteady, transient, stokes, auto"},
+      {study + "/cases", {{"state", "Done"}}, "must be one of: queued"},
+      {study + "/cases", {{"Ca", "0.25"}, {"Ca", "0.25"}}, "stands twice"},
+      {study + "/cases", {{"Ca", ""}}, "has no value"},
+      {study + "/cases", {{"ca", "0.25"}}, "is unknown; there are: limit, after, state, motion"},
+      {study + "/cases", {{"limit", "0"}}, "must be a whole number from 1 to 1000"},
+      {study + "/cases", {{"limit", "1e3"}}, "must be a whole number from 1 to 1000"},
+      {study + "/phase-diagram", {{"x", "colour"}}, "must be one of: shape"},
+      {study + "/phase-diagram", {{"z", "Ca"}}, "is unknown"},
+      {study + "/events", {{"since", "1"}}, "there are no parameters here"},
+      {study, {{"verbose", "1"}}, "there are no parameters here"},
+      {history, {{"format", "xml"}}, "must be one of: json, csv"},
+      {"/v1/studies", {{"name", "a"}}, "is unknown; there are: limit, after"},
+      {"/healthz", {{"a", "b"}}, "there are no parameters here"},
+      {"/metrics", {{"", "b"}}, "there are no parameters here"},
+  };
+  for (const auto& [path, query, said] : bad) {
+    const Response response = get(path, query);
+    EXPECT_EQ(response.status, 400) << path << " " << query[0].first << "=" << query[0].second;
+    EXPECT_EQ(response.content_type, "application/problem+json");
+    EXPECT_THAT(json(response)["errors"].dump(), HasSubstr(said));
+  }
+  EXPECT_EQ(get(study + "/cases", {{"c0", "uniform"}, {"fluid", "auto"}, {"Ca", "2.5e-1"}}).status, 200);
+}
+
+TEST_F(ApiTest, NoRouteIgnoresAParameterThatItDoesNotKnow) {
+  const std::string id = submit_and_complete_one();
+  for (const Route& route : routes()) {
+    std::string path(route.path);
+    if (path.find("{id}") != path.npos) path.replace(path.find("{id}"), 4, id);
+    Request request{std::string(route.method), path, {{"no_such_parameter", "1"}}, "", ""};
+    EXPECT_EQ(respond(*service_, request).status, 400) << route.path;
+  }
+}
+
+TEST_F(ApiTest, BodyThatARouteDoesNotTakeIsRefusedAndChangesNothing) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one();
+  for (const char* change : {"/cancel", "/pause", "/resume", "/retry"})
+    for (const char* bad : {"{", "[]", "null", "nonsense", R"({"why": 1})", R"({"a": 1, "a": 1})"}) {
+      const Response response = ask("POST", path + change, bad);
+      EXPECT_EQ(response.status, 422) << change << bad;
+      EXPECT_FALSE(json(response)["errors"].empty()) << change << bad;
+    }
+  EXPECT_EQ(ask("POST", path + "/retry", R"({"fidelity": "fine", "when": "now"})").status, 422);
+  EXPECT_EQ(ask("POST", path + "/priority", R"({"priority": 1, "when": "now"})").status, 422);
+  EXPECT_EQ(ask("GET", path, "{\"a\": 1}").status, 422);
+  const ordered_json study = json(get(path));
+  EXPECT_EQ(study["cancelled"], false);
+  EXPECT_EQ(study["paused"], false);
+  EXPECT_EQ(study["priority"], 0);
+  EXPECT_EQ(json(ask("POST", path + "/pause", "{}"))["paused"], true);
+}
+
+TEST_F(ApiTest, IdInThePathMayHoldAnyCharacter) {
+  submit_and_complete_one();
+  for (const char* id : {"a%2Fcases", "%2e%2e", "a%00b", "%ff", "a%20b", "%3Cb%3E"}) {
+    const Response response = get("/v1/studies/" + std::string(id));
+    EXPECT_EQ(response.status, 404) << id;
+    EXPECT_THAT(json(response)["detail"].get<std::string>(), HasSubstr("there is no study")) << id;
+  }
+  EXPECT_EQ(get("/v1/%73tudies").status, 200);
+}
+
+TEST_F(ApiTest, HistoryComesInTheFormatThatTheClientPrefers) {
+  const std::string id = submit_and_complete_one();
+  const std::string path = "/v1/cases/" + cases(id)[0]["id"].get<std::string>() + "/history";
+  const auto type = [&](const std::string& accept) { return get(path, {}, accept).content_type; };
+  for (const char* accept : {"text/csv", "TEXT/CSV", "text/*", "application/json;q=0.5, text/csv",
+                             "text/html, Text/CSV ; q=0.9, */*;q=0.1"})
+    EXPECT_THAT(type(accept), StartsWith("text/csv")) << accept;
+  for (const char* accept :
+       {"", "*/*", "application/json", "text/csv;q=0.5, application/json", "text/csv;q=0", "text/csv, */*",
+        "text/csvx", "text/html", "text/csv;q=0.1, */*;q=0.2"})
+    EXPECT_EQ(type(accept), "application/json") << accept;
+  EXPECT_EQ(get(path).headers.at("Vary"), "Accept");
 }
 
 TEST_F(ApiTest, HistoryComesInColumnsOrAsCsv) {

@@ -36,6 +36,13 @@ TEST(Head, EscapesInValuesStayEscapes) {
   EXPECT_EQ(post("Idempotency-Key: a%0d%0ab\r\n").head.value("Idempotency-Key"), "a%0d%0ab");
 }
 
+TEST(Head, BrokenEscapesAndControlCharactersInThePathAreRefused) {
+  for (const char* target : {"/v1/%", "/v1/%4", "/v1/%zz", "/v1/%+1", "/a?b=%4", "/v1/studies/%1b[2J",
+                             "/v1/studies/a%0d%0ab", "/v1/%00", "/v1/%7f"})
+    EXPECT_EQ(status_of_first_line("GET " + std::string(target) + " HTTP/1.1"), 400) << target;
+  EXPECT_EQ(status_of_first_line("GET /v1/studies/a%2Fb%20c?d=%C3%A9 HTTP/1.1"), 0);
+}
+
 TEST(Head, WhoseLengthTwoReadersCouldTakeForTwoIsRefused) {
   for (const char* lines : {"Content-Length: 5\r\nTransfer-Encoding: chunked\r\n",
                             "Transfer-Encoding: chunked\r\nContent-Length: 5\r\n",
