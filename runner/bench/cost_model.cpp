@@ -34,8 +34,10 @@ double distance(const Case& a, const Case& b) {
 
 Probe probe(const Case& c, double seconds) {
   const TimedRun run = timed_run(c, seconds);
+  if (run.kt == 0) return {&c, 1};  // it broke down at once
   const double a_step = run.steady_seconds / double(std::max(1L, run.steps - 1));
-  return {&c, a_step * double(run.steps_to_end) / run_cost(c)};
+  const double steps_to_end = double(run.steps) * c.until.kt / run.kt;
+  return {&c, a_step * steps_to_end / run_cost(c)};
 }
 
 /// So many of the kind as there is time for, evenly spread.

@@ -57,7 +57,7 @@ TimedRun timed_run(const Case& c, double longest_seconds) {
   return {.outcome = outcome,
           .history = std::move(stopwatch.history),
           .steps = simulation.statistics().steps,
-          .steps_to_end = simulation.steps_to_end(),
+          .kt = simulation.kt(),
           .seconds = processor_seconds() - cpu,
           .wall_seconds = seconds_since(start),
           .steady_seconds = stopwatch.since_first_step()};

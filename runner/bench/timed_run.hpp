@@ -9,9 +9,9 @@ namespace capstan {
 struct TimedRun {
   Outcome outcome;  ///< interrupted where the time was up
   History history;
-  long steps = 0;         ///< of the membrane, or of records where the stepper chooses its own
-  long steps_to_end = 0;  ///< that the whole run has
-  double seconds = 0;     ///< of processor time, all threads
+  long steps = 0;      ///< of the membrane
+  double kt = 0;       ///< where the last of them ended
+  double seconds = 0;  ///< of processor time, all threads
   double wall_seconds = 0;
   double steady_seconds = 0;  ///< of wall time of all steps but the first, which starts from nothing
 };

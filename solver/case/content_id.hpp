@@ -8,7 +8,7 @@
 namespace capstan {
 
 /// Raised whenever the solver's results change for the same case.
-inline constexpr int kNumericsVersion = 5;
+inline constexpr int kNumericsVersion = 6;
 
 /// A case as it is stored: equal cases have equal documents.
 struct CanonicalCase {

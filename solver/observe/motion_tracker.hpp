@@ -20,6 +20,9 @@ class MotionTracker {
   /// Shape and angles now; iterations and error are left to the flow.
   Record observe(double kt, const Points& positions);
 
+  /// The same at a time soon after the last observation, without becoming one.
+  Record look(double kt, const Points& positions) const { return MotionTracker(*this).observe(kt, positions); }
+
   void save(StateArchive& archive) const;
   void load(const StateArchive& archive);
 

@@ -61,37 +61,36 @@ struct Coefficients {
 
 }  // namespace
 
-FlowReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
+StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
                                         Points& positions) {
   field_ = &field;
   report_ = {};
-  Points start_velocities = velocities;
   if (step_ == 0) step_ = options_.largest_step / 10;
-  while (kt < kt_end - 1e-9) {
+  do {
     if (spectral_radius_ == 0 || steps_since_estimate_ >= kStepsAnEstimate)
-      estimate_spectral_radius(kt, positions, start_velocities);
-    const double longest = std::min({step_, options_.largest_step, kMostStages * kMostStages / (1.6 * spectral_radius_)});
-    const double left = kt_end - kt;
-    const double step = left / std::ceil(left / longest - 1e-9);  // equal steps to the end, not a sliver at last
-    const Trial trial = attempt(kt, step, positions, start_velocities);
+      estimate_spectral_radius(kt, positions, velocities);
+    const double step = next_step(kt_end - kt);
+    Trial trial = attempt(kt, step, positions, velocities);
     const double factor = std::isfinite(trial.error) ? std::clamp(0.8 / std::cbrt(trial.error), 0.1, 3.) : 0.1;
     if (trial.error <= 1) {
-      kt += step;
-      positions = trial.end;
-      start_velocities = trial.end_velocities;
+      positions = std::move(trial.end);
       ++steps_since_estimate_;
       step_ = std::min(options_.largest_step, std::max(step * factor, factor >= 1 ? step_ : 0.));
-      continue;
+      report_.converged = true;  // what was lost on the way was tried again with a smaller step
+      return {.kt = step == kt_end - kt ? kt_end : kt + step, .flow = report_};
     }
     step_ = step * factor;
     spectral_radius_ = 0;  // the likely culprit
-    if (step_ < kSmallestStep) {
-      if (report_.converged) report_ = lost_flow("no time step is small enough for the membrane's motion");
-      return report_;
-    }
-  }
-  report_.converged = true;  // what was lost on the way was tried again with a smaller step
-  return report_;
+  } while (step_ >= kSmallestStep);
+  if (report_.converged) report_ = lost_flow("no time step is small enough for the membrane's motion");
+  return {.kt = kt, .flow = report_};
+}
+
+/// The longest that error and stability allow; the last two steps before the end are equal, lest one be a sliver.
+double RungeKuttaChebyshev::next_step(double left) const {
+  const double longest = std::min({step_, options_.largest_step, kMostStages * kMostStages / (1.6 * spectral_radius_)});
+  if (left <= longest * (1 + 1e-9)) return left;
+  return std::min(longest, left / 2);
 }
 
 RungeKuttaChebyshev::Trial RungeKuttaChebyshev::attempt(double kt, double step, const Points& start,

@@ -15,7 +15,7 @@ class RungeKuttaChebyshev : public TimeStepper {
   RungeKuttaChebyshev() : RungeKuttaChebyshev(Options{}) {}
   explicit RungeKuttaChebyshev(const Options& options) : options_(options) {}
 
-  FlowReport advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
+  StepReport advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
                      Points& positions) override;
   void save(StateArchive& archive) const override;
   void load(const StateArchive& archive) override;
@@ -28,6 +28,7 @@ class RungeKuttaChebyshev : public TimeStepper {
     Points end, end_velocities;
     double error = 0;  ///< of the tolerance; not finite if the flow was lost
   };
+  double next_step(double left) const;
   Trial attempt(double kt, double step, const Points& start, const Points& velocities);
   void estimate_spectral_radius(double kt, const Points& positions, const Points& velocities);
   FlowReport solve(double kt, const Points& positions, Points& velocities);

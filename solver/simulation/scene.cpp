@@ -44,9 +44,10 @@ std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, co
   return make_quasisteady(c, mesh, orbits);
 }
 
-std::unique_ptr<TimeStepper> make_stepper(const Case& c) {
+std::unique_ptr<TimeStepper> make_stepper(const Case& c, std::optional<double> imposed_kdt) {
+  if (imposed_kdt) return std::make_unique<AdamsBashforth2>(*imposed_kdt);
   if (c.fidelity.stepper == Stepper::runge_kutta_chebyshev) return std::make_unique<RungeKuttaChebyshev>();
-  return std::make_unique<AdamsBashforth2>();
+  return std::make_unique<AdamsBashforth2>(c.fidelity.kdt);
 }
 
 std::vector<std::string> left_out(const Case& c) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -15,21 +16,39 @@ namespace capstan {
 // Paper, section VI: at each step the membrane's forces drive a steady flow, and the membrane moves with that
 // flow.
 Outcome Simulation::run(RunOutput& output) {
-  const VelocityField field = [this](double at, const Points& x, Points& u) { return solve_flow(at, x, u); };
+  if (history_.empty()) {
+    if (auto outcome = find_flow()) return *outcome;
+    put_out(output);
+  }
   for (;;) {
-    const FlowReport flow = solve_flow(kt(), positions_, velocities_);
-    if (auto outcome = failure(flow)) return *outcome;
-    note(flow);
-    if (record_is_due()) record(output);  // eqs. 5, 44
+    if (auto outcome = step()) return *outcome;
+    put_out(output);
     if (auto outcome = finished()) return *outcome;
-    const FlowReport stages = stepper_->advance(field, kt(), kt(1), velocities_, positions_);  // eqs. 37, 38
-    if (auto outcome = failure(stages)) return *outcome;
-    note(stages);
-    ++statistics_.steps;
     const bool interrupted = output.interrupted();
     if (interrupted || statistics_.steps % case_.outputs.checkpoint_every == 0) save_checkpoint(output);
     if (interrupted) return {Stop::interrupted};
   }
+}
+
+/// A lattice in time has steps of one length: its last one goes beyond the end.
+std::optional<Outcome> Simulation::step() {
+  const VelocityField field = [this](double at, const Points& x, Points& u) { return solve_flow(at, x, u); };
+  const double end = flow_->imposed_time_step() ? std::numeric_limits<double>::infinity() : case_.until.kt;
+  before_ = now_;
+  const StepReport step = stepper_->advance(field, before_.kt, end, before_.velocities, now_.positions);  // eqs. 37, 38
+  now_.kt = step.kt;
+  if (auto outcome = failure(step.flow)) return outcome;
+  note(step.flow);
+  ++statistics_.steps;
+  return find_flow();
+}
+
+std::optional<Outcome> Simulation::find_flow() {
+  const FlowReport flow = solve_flow(now_.kt, now_.positions, now_.velocities);
+  if (auto outcome = failure(flow)) return outcome;
+  note(flow);
+  now_.forces = solved_.forces;
+  return std::nullopt;
 }
 
 /// A stepper may end with the flow that the next step starts with: that one is known.
@@ -38,58 +57,45 @@ FlowReport Simulation::solve_flow(double at, const Points& positions, Points& ve
     velocities = solved_.velocities;
     return {};
   }
-  membrane_.forces(positions, forces_);                                      // eqs. 29, 31
-  const FlowReport flow = flow_->solve(at, positions, forces_, velocities);  // eqs. 20-25, 33-36, 40
-  if (flow.converged) solved_ = {positions, velocities};
+  Points forces(3, positions.cols());
+  membrane_.forces(positions, forces);                                      // eqs. 29, 31
+  const FlowReport flow = flow_->solve(at, positions, forces, velocities);  // eqs. 20-25, 33-36, 40
+  if (flow.converged) solved_ = {at, positions, velocities, forces};
   return flow;
 }
 
 Simulation::Simulation(const Case& c)
     : case_(c),
       sphere_(make_icosphere(*icosphere_subdivisions(c.fidelity.nodes))),
-      positions_(initial_positions(c, sphere_)),
-      forces_(Points::Zero(3, positions_.cols())),
-      velocities_(Points::Zero(3, positions_.cols())),
-      solved_{Points::Zero(3, positions_.cols()), velocities_},
-      orbits_(symmetry_of(c, positions_)),
-      membrane_(c, sphere_.mesh, positions_, orbits_),
-      flow_(make_flow(c, sphere_.mesh, positions_, orbits_)),
-      stepper_(make_stepper(c)),
-      time_(c, flow_->imposed_time_step()),
-      tracker_(positions_, sphere_.mesh.faces),
-      initial_volume_(volume(positions_, faces())),
-      initial_area_(area(positions_, faces())) {}
-
-TimeGrid::TimeGrid(const Case& c, std::optional<double> imposed_kdt)
-    : kdt(imposed_kdt.value_or(c.fidelity.kdt > 0 ? c.fidelity.kdt
-                                                  : std::min(c.outputs.history_every, c.until.kt))),
-      steps(std::max(1L, std::lround(c.until.kt / kdt))),
-      steps_a_record(std::max(1L, std::lround(c.outputs.history_every / kdt))) {
-  const double record_kt = kdt * double(steps_a_record);
-  if (c.outputs.shapes_every > 0)
-    steps_a_shape = steps_a_record * std::max(1L, std::lround(c.outputs.shapes_every / record_kt));
-}
-
-/// Rounded, so that a history says 0.3 and not 0.30000000000000004.
-double Simulation::kt(int steps_ahead) const {
-  return std::round(double(statistics_.steps + steps_ahead) * time_.kdt * 1e9) / 1e9;
+      now_{.kt = 0, .positions = initial_positions(c, sphere_), .velocities = {}, .forces = {}},
+      orbits_(symmetry_of(c, now_.positions)),
+      membrane_(c, sphere_.mesh, now_.positions, orbits_),
+      flow_(make_flow(c, sphere_.mesh, now_.positions, orbits_)),
+      stepper_(make_stepper(c, flow_->imposed_time_step())),
+      record_times_(c.outputs.history_every, c.until.kt),
+      tracker_(now_.positions, sphere_.mesh.faces),
+      initial_volume_(volume(now_.positions, faces())),
+      initial_area_(area(now_.positions, faces())) {
+  now_.velocities = now_.forces = Points::Zero(3, now_.positions.cols());
+  solved_ = {0, Points::Zero(3, now_.positions.cols()), now_.velocities, now_.forces};
+  if (c.outputs.shapes_every > 0) shape_times_.emplace(c.outputs.shapes_every, c.until.kt);
 }
 
 std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
   const auto at_this_time = [&](const std::string& what) {
     std::ostringstream text;
-    text << "at kt = " << kt() << ": " << what;
+    text << "at kt = " << now_.kt << ": " << what;
     return text.str();
   };
-  for (Eigen::Index vertex = 0; vertex < positions_.cols(); ++vertex)
-    if (!positions_.col(vertex).allFinite())
+  for (Eigen::Index vertex = 0; vertex < now_.positions.cols(); ++vertex)
+    if (!now_.positions.col(vertex).allFinite())
       return Outcome{Stop::diverged,
                      at_this_time("vertex " + std::to_string(vertex) + " has no finite position")};
   if (!flow.converged)
     return Outcome{std::isfinite(flow.error) ? Stop::not_converged : Stop::diverged,
                    at_this_time(flow.fault)};
   constexpr double kLargestDrift = 0.1;  // the first symptom of a time step that is too large
-  const double drift = volume(positions_, faces()) / initial_volume_ - 1;
+  const double drift = volume(now_.positions, faces()) / initial_volume_ - 1;
   if (!(std::abs(drift) < kLargestDrift))
     return Outcome{Stop::diverged,
                    at_this_time("the volume has drifted by " + std::to_string(std::lround(100 * drift)) +
@@ -104,38 +110,65 @@ void Simulation::note(const FlowReport& flow) {
   statistics_.worst_flow_error = std::max(statistics_.worst_flow_error, flow.error);
 }
 
-bool Simulation::record_is_due() const {
-  return statistics_.steps % time_.steps_a_record == 0 || statistics_.steps == time_.steps;
+/// Everything that was asked for since the step before, and a sample.
+void Simulation::put_out(RunOutput& output) {
+  for (long n = long(history_.size()); n <= record_times_.last() && has_come(record_times_[n]); ++n)
+    record(record_times_[n], output);  // eqs. 5, 44
+  for (; shape_times_ && frames_ <= shape_times_->last() && has_come((*shape_times_)[frames_]); ++frames_) {
+    const MembraneState shape = state_at((*shape_times_)[frames_]);
+    output.shape(shape.kt, frames_, shape.positions, shape.velocities, shape.forces);
+  }
+  observe();
 }
 
-void Simulation::record(RunOutput& output) {
-  Record now = tracker_.observe(kt(), positions_);
+constexpr double kSameTime = 1e-6;  ///< of a step: nearer to its end than this is at its end
+
+bool Simulation::has_come(double time) const { return time <= now_.kt + kSameTime * (now_.kt - before_.kt); }
+
+MembraneState Simulation::state_at(double time) const {
+  if (time < now_.kt - kSameTime * (now_.kt - before_.kt)) return between(before_, now_, time);
+  MembraneState state = now_;
+  state.kt = time;
+  return state;
+}
+
+void Simulation::record(double time, RunOutput& output) {
+  Record now = tracker_.look(time, state_at(time).positions);
   now.iterations = std::exchange(iterations_since_record_, 0);
   now.error = last_flow_error_;
   history_.push_back(now);
-  statistics_.volume_drift = std::max(statistics_.volume_drift, std::abs(now.volume / initial_volume_ - 1));
-  statistics_.area_drift = std::max(statistics_.area_drift, std::abs(now.area / initial_area_ - 1));
   output.record(now);
-  if (time_.steps_a_shape > 0 && statistics_.steps % time_.steps_a_shape == 0)
-    output.shape(kt(), int(statistics_.steps / time_.steps_a_shape), positions_, velocities_, forces_);
 }
 
+void Simulation::observe() {
+  const bool is_due = samples_.empty() || has_come(samples_.back().kt + kSampleInterval);
+  if (!is_due && now_.kt < case_.until.kt) return;
+  const Record seen = tracker_.observe(now_.kt, now_.positions);
+  samples_.push_back({seen.kt, seen.D_xy, seen.theta, seen.psi});
+  statistics_.volume_drift =
+      std::max(statistics_.volume_drift, std::abs(seen.volume / initial_volume_ - 1));
+  statistics_.area_drift = std::max(statistics_.area_drift, std::abs(seen.area / initial_area_ - 1));
+}
+
+/// Whether the label is certain is asked at recorded times, so that a run that ends early ends with a record.
 std::optional<Outcome> Simulation::finished() const {
-  if (statistics_.steps >= time_.steps) return Outcome{Stop::reached_end};
-  if (case_.until.classified && record_is_due() && classify(history_).certain)
-    return Outcome{Stop::classified};
+  if (now_.kt >= case_.until.kt) return Outcome{Stop::reached_end};
+  const bool has_new_record = history_.back().kt > before_.kt;
+  if (case_.until.classified && has_new_record && classify(history_).certain) return Outcome{Stop::classified};
   return std::nullopt;
 }
 
 void Simulation::save_checkpoint(RunOutput& output) const {
   StateArchive archive;
-  put_points(archive, "positions", positions_);
-  put_points(archive, "solved/positions", solved_.positions);
-  put_points(archive, "solved/velocities", solved_.velocities);
+  archive.put("kt", now_.kt);
+  put_points(archive, "positions", now_.positions);
+  put_points(archive, "velocities", now_.velocities);
   stepper_->save(archive);
   flow_->save(archive);
   tracker_.save(archive);
   put_history(archive, history_);
+  put_samples(archive, samples_);
+  archive.put("frames", frames_);
   archive.put("statistics", {double(statistics_.steps), double(statistics_.flow_iterations),
                              statistics_.worst_flow_error, statistics_.volume_drift, statistics_.area_drift});
   archive.put("iterations_since_record", iterations_since_record_);
@@ -144,13 +177,15 @@ void Simulation::save_checkpoint(RunOutput& output) const {
 }
 
 void Simulation::load(const StateArchive& archive) {
-  positions_ = get_points(archive, "positions");
-  solved_ = {get_points(archive, "solved/positions"), get_points(archive, "solved/velocities")};
-  membrane_.forces(positions_, forces_);
+  now_ = {archive.number("kt"), get_points(archive, "positions"), get_points(archive, "velocities"), {}};
+  membrane_.forces(now_.positions, now_.forces);
+  solved_ = now_;
   stepper_->load(archive);
   flow_->load(archive);
   tracker_.load(archive);
   history_ = get_history(archive);
+  samples_ = get_samples(archive);
+  frames_ = int(archive.number("frames"));
   const auto saved = archive.get("statistics");
   statistics_ = {long(saved[0]), long(saved[1]), saved[2], saved[3], saved[4]};
   iterations_since_record_ = int(archive.number("iterations_since_record"));

@@ -10,7 +10,10 @@
 #include "solver/mesh/icosphere.hpp"
 #include "solver/observe/classify.hpp"
 #include "solver/observe/history.hpp"
+#include "solver/observe/motion_sample.hpp"
 #include "solver/observe/motion_tracker.hpp"
+#include "solver/simulation/membrane_state.hpp"
+#include "solver/simulation/output_times.hpp"
 #include "solver/simulation/run_output.hpp"
 #include "solver/simulation/time_step.hpp"
 
@@ -30,24 +33,16 @@ struct RunStatistics {
   long steps = 0;
   long flow_iterations = 0;
   double worst_flow_error = 0;  ///< largest estimated relative error of a flow solution
-  double volume_drift = 0;      ///< largest |V/V(0) - 1| recorded
-  double area_drift = 0;        ///< largest |A/A(0) - 1| recorded
-};
-
-/// The steps of a run, and those after which something is recorded: the nearest to the wished intervals. A
-/// stepper that chooses its own steps does so between two records, which count as one step here.
-struct TimeGrid {
-  TimeGrid(const Case& c, std::optional<double> imposed_kdt);
-  double kdt;
-  long steps, steps_a_record;
-  long steps_a_shape = 0;  ///< 0: no shapes
+  double volume_drift = 0;      ///< largest |V/V(0) - 1| of the samples
+  double area_drift = 0;        ///< largest |A/A(0) - 1| of the samples
 };
 
 class Simulation {
  public:
   explicit Simulation(const Case& c);
 
-  /// The paper's algorithm, to the end or until `output` asks for an interruption.
+  /// The paper's algorithm, to the end or until `output` asks for an interruption. Its steps do not depend on what
+  /// is asked for: records and shapes between two steps are interpolated.
   Outcome run(RunOutput& output);
 
   /// Continues from a checkpoint that run() wrote; the outcome is that of the uninterrupted run to the last
@@ -55,33 +50,40 @@ class Simulation {
   void load(const StateArchive& archive);
 
   const Faces& faces() const { return sphere_.mesh.faces; }
+  double kt() const { return now_.kt; }
   const History& history() const { return history_; }
+  const MotionSamples& samples() const { return samples_; }
   const RunStatistics& statistics() const { return statistics_; }
-  long steps_to_end() const { return time_.steps; }
 
  private:
-  double kt(int steps_ahead = 0) const;
+  std::optional<Outcome> step();
+  std::optional<Outcome> find_flow();
   FlowReport solve_flow(double at, const Points& positions, Points& velocities);
   std::optional<Outcome> failure(const FlowReport& flow) const;
   std::optional<Outcome> finished() const;
   void note(const FlowReport& flow);
-  bool record_is_due() const;
-  void record(RunOutput& output);
+  void put_out(RunOutput& output);
+  bool has_come(double time) const;
+  MembraneState state_at(double time) const;
+  void record(double time, RunOutput& output);
+  void observe();
   void save_checkpoint(RunOutput& output) const;
 
   Case case_;
   Icosphere sphere_;
-  Points positions_, forces_, velocities_;  ///< 3 x #V
-  struct Solved {
-    Points positions, velocities;
-  } solved_;  ///< the last flow; positions all zero before the first
+  MembraneState now_;     ///< where the last step ended
+  MembraneState before_;  ///< where it began
+  MembraneState solved_;  ///< of the last flow; positions all zero before the first
   Orbits orbits_;
   Membrane membrane_;
   std::unique_ptr<FlowModel> flow_;
   std::unique_ptr<TimeStepper> stepper_;
-  TimeGrid time_;
+  OutputTimes record_times_;
+  std::optional<OutputTimes> shape_times_;
   MotionTracker tracker_;
+  MotionSamples samples_;
   History history_;
+  int frames_ = 0;
   double initial_volume_, initial_area_;
   int iterations_since_record_ = 0;
   double last_flow_error_ = 0;
@@ -95,7 +97,8 @@ Orbits symmetry_of(const Case& c, const Points& initial);
 std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, const Points& initial,
                                      const Orbits& orbits);
 
-std::unique_ptr<TimeStepper> make_stepper(const Case& c);
+/// \param imposed_kdt  the flow model's own time step, if it has one
+std::unique_ptr<TimeStepper> make_stepper(const Case& c, std::optional<double> imposed_kdt);
 
 /// Parts of the physics that this case does without, one sentence each.
 std::vector<std::string> left_out(const Case& c);

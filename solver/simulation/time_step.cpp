@@ -4,13 +4,16 @@
 
 namespace capstan {
 
-FlowReport AdamsBashforth2::advance(const VelocityField&, double kt, double kt_end, const Points& velocities,
+// With r = step / (step before):  x += step ((1 + r/2) u - r/2 u_before).  The step before is always a whole one.
+StepReport AdamsBashforth2::advance(const VelocityField&, double kt, double kt_end, const Points& velocities,
                                     Points& positions) {
-  const double kdt = kt_end - kt;
+  constexpr double kRounding = 1e-9;  // of a step: times are sums of steps
+  const bool is_last = kt_end - kt < kdt_ * (1 + kRounding);
+  const double step = is_last ? kt_end - kt : kdt_, ratio = step / kdt_;
   if (before_.size() == 0) before_ = velocities;
-  positions += 0.5 * kdt * (3 * velocities - before_);
+  positions += step * ((1 + 0.5 * ratio) * velocities - 0.5 * ratio * before_);
   before_ = velocities;
-  return {};
+  return {.kt = is_last ? kt_end : kt + step, .flow = {}};
 }
 
 void AdamsBashforth2::save(StateArchive& archive) const { put_points(archive, "time_step/before", before_); }

@@ -24,12 +24,12 @@ std::vector<double> deformations(bool is_uniform) {
   Points x = initial_positions(c, sphere), forces, u, before;
   const Membrane membrane(c, sphere.mesh, x, Orbits::of(x));
   CompositeLbm<float> flow(sphere.mesh, Orbits::of(x), {.dx = 0.2, .V = c.V, .is_uniform = is_uniform});
-  AdamsBashforth2 stepper;
+  AdamsBashforth2 stepper(c.fidelity.kdt);
   std::vector<double> D;
   for (int step = 0; step < 40; ++step) {
     membrane.forces(x, forces);
     EXPECT_TRUE(flow.solve(step * c.fidelity.kdt, x, forces, u).converged);
-    stepper.advance({}, step * c.fidelity.kdt, (step + 1) * c.fidelity.kdt, u, x);
+    stepper.advance({}, step * c.fidelity.kdt, c.until.kt, u, x);
     D.push_back(deformation(inertia_ellipse(x, sphere.mesh.faces)).D_xy);
   }
   return D;

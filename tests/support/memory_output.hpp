@@ -11,8 +11,9 @@ namespace capstan::testing {
 class MemoryOutput : public RunOutput {
  public:
   void record(const Record& now) override { records.push_back(now); }
-  void shape(double kt, int, const Points&, const Points&, const Points&) override {
-    shape_times.push_back(kt);
+  void shape(double kt, int frame, const Points& positions, const Points& velocities,
+             const Points& forces) override {
+    shapes.push_back({kt, frame, positions, velocities, forces});
   }
   /// Copies: the archive's views show the simulation's own state, which goes on.
   void checkpoint(StateArchive state) override {
@@ -24,8 +25,21 @@ class MemoryOutput : public RunOutput {
   }
   bool interrupted() const override { return interruption_wanted; }
 
+  struct Shape {
+    double kt;
+    int frame;
+    Points positions, velocities, forces;
+    bool operator==(const Shape&) const = default;
+  };
+
+  std::vector<double> shape_times() const {
+    std::vector<double> times;
+    for (const Shape& shape : shapes) times.push_back(shape.kt);
+    return times;
+  }
+
   History records;
-  std::vector<double> shape_times;
+  std::vector<Shape> shapes;
   std::vector<StateArchive> checkpoints;
   bool interruption_wanted = false;
 };

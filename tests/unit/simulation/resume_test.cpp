@@ -1,6 +1,8 @@
 // A run that goes on from a checkpoint is the run that was never interrupted, to the last bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "solver/simulation/simulation.hpp"
 #include "tests/support/memory_output.hpp"
 #include "tests/support/parsed_case.hpp"
@@ -31,47 +33,50 @@ void expect_resumed_equals_uninterrupted(const Case& c) {
     resumed.load(checkpoint);
     EXPECT_EQ(resumed.run(rest).stop, Stop::reached_end);
     EXPECT_EQ(resumed.history(), whole.records);
+    EXPECT_EQ(resumed.samples(), uninterrupted.samples());
+    EXPECT_TRUE(std::equal(rest.shapes.rbegin(), rest.shapes.rend(), whole.shapes.rbegin()));
+    EXPECT_EQ(rest.shapes.size() + std::size_t(checkpoint.number("frames")), whole.shapes.size());
     expect_equal(resumed.statistics(), uninterrupted.statistics());
   }
 }
 
 TEST(Resume, QuasisteadySphereGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
-    "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"checkpoint_every": 3},
+    "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 3},
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})"));
 }
 
 TEST(Resume, BiconcaveCapsuleWithBendingAndViscosityContrastGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4,
-    "until": {"kt": 0.8}, "outputs": {"checkpoint_every": 3},
+    "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 3},
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})"));
 }
 
 TEST(Resume, TransientFlowGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "Ca": 0.1, "V": 2, "fluid": "transient", "until": {"kt": 0.05},
-    "outputs": {"history_every": 0.01, "checkpoint_every": 50},
+    "outputs": {"history_every": 0.01, "shapes_every": 0.013, "checkpoint_every": 50},
     "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162}})"));
 }
 
 TEST(Resume, TransientFlowInDoublePrecisionGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "Ca": 0.1, "V": 2, "fluid": "transient", "until": {"kt": 0.05},
-    "outputs": {"history_every": 0.01, "checkpoint_every": 51},
+    "outputs": {"history_every": 0.01, "shapes_every": 0.013, "checkpoint_every": 51},
     "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162, "precision": "double"}})"));
 }
 
 TEST(Resume, StokesFlowWithStepsAfterTheirErrorGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4, "fluid": "stokes",
-    "until": {"kt": 2.5}, "outputs": {"checkpoint_every": 7}, "fidelity": {"nodes": 162}})"));
+    "until": {"kt": 2.5}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 7}, "fidelity": {"nodes": 162}})"));
 }
 
 // The tolerance is met by a single cycle here, so that a start that is not the interrupted one would show.
 TEST(Resume, PapersSchemeGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
-    "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"checkpoint_every": 3},
+    "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 3},
     "fidelity": {"preset": "paper", "dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.08, "tolerance": 0.01}})"));
 }
 

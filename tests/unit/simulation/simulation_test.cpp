@@ -43,7 +43,7 @@ TEST(Simulation, RecordsFromTheStartToTheEndAtRoundTimes) {
   Simulation simulation(small_case());
   EXPECT_EQ(simulation.run(output).stop, Stop::reached_end);
   EXPECT_THAT(times(output.records), ElementsAre(0, 0.08, 0.16, 0.24, 0.32));
-  EXPECT_THAT(output.shape_times, ElementsAre(0, 0.16, 0.32));
+  EXPECT_THAT(output.shape_times(), ElementsAre(0, 0.16, 0.32));
   EXPECT_EQ(simulation.statistics().steps, 4);
 }
 

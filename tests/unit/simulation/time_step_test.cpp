@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "solver/simulation/simulation.hpp"
-
 namespace capstan {
 namespace {
 
@@ -13,10 +11,10 @@ namespace {
 double error_after_one(int steps) {
   Points x(3, 1), u(3, 1);
   x << 1, 0, 1;
-  AdamsBashforth2 stepper;
-  for (int n = 0; n < steps; ++n) {
+  AdamsBashforth2 stepper(1.0 / (steps - 0.5));  // the last step is a half one
+  for (double kt = 0; kt < 1;) {
     u << x(1), -x(0), -x(2);
-    stepper.advance({}, double(n) / steps, double(n + 1) / steps, u, x);
+    kt = stepper.advance({}, kt, 1, u, x).kt;
   }
   return (x.col(0) - Vec3(std::cos(1), -std::sin(1), std::exp(-1))).norm();
 }
@@ -29,44 +27,22 @@ TEST(AdamsBashforth2, IsOfSecondOrder) {
 TEST(AdamsBashforth2, IsExactForAConstantVelocity) {
   Points x = Points::Zero(3, 2);
   const Points u = Points::Constant(3, 2, 0.5);
-  AdamsBashforth2 stepper;
-  for (int n = 0; n < 8; ++n) stepper.advance({}, 0.25 * n, 0.25 * (n + 1), u, x);
+  AdamsBashforth2 stepper(0.25);
+  for (int n = 0; n < 8; ++n) stepper.advance({}, 0.25 * n, 2, u, x);
   EXPECT_EQ(x, Points::Constant(3, 2, 1));
 }
 
-Case recorded_every(double history_every, double shapes_every) {
-  Case c;
-  c.until.kt = 2;
-  c.fidelity.kdt = 0.04;
-  c.outputs = {.history_every = history_every, .shapes_every = shapes_every};
-  return c;
-}
-
-TEST(TimeGrid, EndsAtTheStepNearestToTheWishedTime) {
-  EXPECT_EQ(TimeGrid(recorded_every(0.1, 1), std::nullopt).steps, 50);
-  EXPECT_EQ(TimeGrid(recorded_every(0.1, 1), 0.3).steps, 7);
-  EXPECT_EQ(TimeGrid(recorded_every(0.1, 1), 1e-4).steps, 20000);
-}
-
-TEST(TimeGrid, ModelThatImposesItsStepHasIt) {
-  EXPECT_EQ(TimeGrid(recorded_every(0.1, 1), std::nullopt).kdt, 0.04);
-  EXPECT_EQ(TimeGrid(recorded_every(0.1, 1), 1e-4).kdt, 1e-4);
-}
-
-TEST(TimeGrid, ShapesAreRecordedAtRecordedTimes) {
-  const TimeGrid grid(recorded_every(0.08, 0.5), std::nullopt);
-  EXPECT_EQ(grid.steps_a_record, 2);
-  EXPECT_EQ(grid.steps_a_shape, 12);
-}
-
-TEST(TimeGrid, IntervalsBelowAStepMeanEveryStep) {
-  const TimeGrid grid(recorded_every(1e-3, 1e-3), std::nullopt);
-  EXPECT_EQ(grid.steps_a_record, 1);
-  EXPECT_EQ(grid.steps_a_shape, 1);
-}
-
-TEST(TimeGrid, IntervalOfZeroMeansNoShapes) {
-  EXPECT_EQ(TimeGrid(recorded_every(0.1, 0), std::nullopt).steps_a_shape, 0);
+TEST(AdamsBashforth2, ShortensItsLastStepToEndWhereItShall) {
+  Points x = Points::Zero(3, 1);
+  const Points u = Points::Ones(3, 1);
+  AdamsBashforth2 stepper(0.4);
+  double kt = 0;
+  for (double expected : {0.4, 0.8, 1.0}) {
+    kt = stepper.advance({}, kt, 1, u, x).kt;
+    EXPECT_DOUBLE_EQ(kt, expected);
+  }
+  EXPECT_EQ(kt, 1);
+  EXPECT_NEAR(x(0), 1, 1e-15);
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+#pragma once
+// The motion as the steps of a run saw it, to classify it by: whatever is recorded, its samples are the same.
+#include <vector>
+
+namespace capstan {
+
+struct MotionSample {
+  double kt = 0;
+  double D_xy = 0;
+  double theta = 0;  ///< radians, unwrapped, as in Record
+  double psi = 0;    ///< radians, unwrapped, as in Record
+  bool operator==(const MotionSample&) const = default;
+};
+using MotionSamples = std::vector<MotionSample>;
+
+/// Steps that are shorter than this (k dt) are passed over until as much time has gone by.
+inline constexpr double kSampleInterval = 0.02;
+
+}  // namespace capstan

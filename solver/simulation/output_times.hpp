@@ -1,0 +1,30 @@
+#pragma once
+// The times at which something is asked for: 0, an interval, twice the interval, ... and always the end.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace capstan {
+
+class OutputTimes {
+ public:
+  OutputTimes(double interval, double end)
+      : interval_(interval), end_(end), last_(long(std::ceil(end / interval * (1 - 1e-12)))) {}
+
+  long last() const { return last_; }  ///< the number of the end; the start has number 0
+
+  /// In the decimals a user would write: 3 times 0.1 is 0.3, not 0.30000000000000004. A product's rounding error
+  /// is less than half of the fifteenth digit.
+  double operator[](long number) const {
+    if (number >= last_) return end_;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.15g", double(number) * interval_);
+    return std::strtod(text, nullptr);
+  }
+
+ private:
+  double interval_, end_;
+  long last_;
+};
+
+}  // namespace capstan
