@@ -80,7 +80,8 @@ void print_spheres(const Standard& paper, bool json) {
   nlohmann::ordered_json rows;
   for (double Re : {0.0125, 0.05})
     for (double kdt : {0.01, 0.02, 0.04}) {
-      const Case sphere = parse_case({{"Ca", 0.05},
+      const Case sphere = parse_case({{"fluid", "quasisteady"},
+                                      {"Ca", 0.05},
                                       {"Re", Re},
                                       {"until", {{"kt", 2}}},
                                       {"fidelity", {{"preset", "standard"}, {"kdt", kdt}}}})

@@ -55,8 +55,8 @@ class Progress {
 
 class Worker : public RunRecorder {
  public:
-  Worker(const std::filesystem::path& out, const Case& c)
-      : RunRecorder(out, c, [] { return interruption_wanted != 0; }), progress_(c.until.kt) {}
+  Worker(const std::filesystem::path& out, const Case& c, const Choices& choices)
+      : RunRecorder(out, c, choices, [] { return interruption_wanted != 0; }), progress_(c.until.kt) {}
 
   void record(const Record& record) override {
     RunRecorder::record(record);
@@ -96,7 +96,8 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
     std::cerr << out.string() << " holds the run of another case: choose another directory\n";
     return kExitInvalidInput;
   }
-  Worker worker(out, *parsed.value);
+  for (const Choice& choice : parsed.choices) std::cerr << in_words(choice) << "\n";
+  Worker worker(out, *parsed.value, parsed.choices);
   Simulation simulation(*parsed.value);
   worker.resume(simulation, [](const std::string& line) { std::cerr << line << "\n"; });
   const Outcome outcome = simulation.run(worker);

@@ -30,6 +30,12 @@ std::vector<std::pair<std::string, std::int64_t>> places_of(Database& database, 
   return places;
 }
 
+/// A case as an earlier version has stored it: some of its keys may have no effect today.
+ParsedCase parse_stored_case(nlohmann::json document) {
+  drop_keys_without_effect(document);
+  return parse_case(document);
+}
+
 void replace(Database& database, const std::string& old_id, const Case& by,
              const std::string& study_id = "") {
   const std::string id = add_case(database, by);
@@ -81,7 +87,7 @@ void price_cases(Database& database) {
   Transaction transaction(database);
   for (const auto& [id, document] :
        read_cases(database.query("SELECT id, document FROM cases WHERE cost = 0"))) {
-    const ParsedCase parsed = parse_case(document);
+    const ParsedCase parsed = parse_stored_case(document);
     database.execute("UPDATE cases SET cost = ? WHERE id = ?",
                      parsed.value ? run_cost(*parsed.value) : kOfARefusedCase, id);
   }
@@ -92,7 +98,7 @@ void replace_outdated(Database& database) {
   Transaction transaction(database);
   for (const auto& [id, document] : read_cases(database.query(
            "SELECT id, document FROM cases WHERE state = 'queued' AND numerics <> ?", kNumericsVersion))) {
-    const ParsedCase parsed = parse_case(document);
+    const ParsedCase parsed = parse_stored_case(document);
     if (parsed.value) replace(database, id, *parsed.value);
     database.execute(
         "UPDATE cases SET state = ?, message = ? WHERE id = ?", parsed.value ? "cancelled" : "failed",

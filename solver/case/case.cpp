@@ -28,7 +28,7 @@ nlohmann::ordered_json to_json(const Case& c) {
   if (c.fluid != Fluid::transient) {
     f["stepper"] = word(c.fidelity.stepper);
     if (c.fidelity.stepper == Stepper::adams_bashforth) f["kdt"] = c.fidelity.kdt;
-    f["tolerance"] = c.fidelity.tolerance;
+    if (c.solves_for_flow()) f["tolerance"] = c.fidelity.tolerance;
   }
   if (c.fluid == Fluid::quasisteady) f["scheme"] = word(c.fidelity.scheme);
   if (c.can_use_symmetry()) f["symmetry"] = word(c.fidelity.symmetry);

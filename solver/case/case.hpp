@@ -58,13 +58,15 @@ struct Case {
   double E_b = 0;  ///< E_B / (a^2 E_s) (eq. 2)
   BendingModel bending = BendingModel::variational;
   SpontaneousCurvature c0 = InitialCurvature{};
-  Fluid fluid = Fluid::quasisteady;
+  Fluid fluid = Fluid::stokes;
   Until until;
   Fidelity fidelity;
   Outputs outputs;
 
   bool has_bending() const { return E_b > 0; }
   bool has_viscosity_contrast() const { return V != 1; }
+  /// An equation to a tolerance at every step; boundary integrals at V = 1 give the flow directly.
+  bool solves_for_flow() const { return fluid == Fluid::quasisteady || (fluid == Fluid::stokes && V != 1); }
   bool has_grid() const { return fluid != Fluid::stokes; }
   /// The quasi-steady flow on a composite of grids, not the paper's own scheme.
   bool has_composite_grid() const { return fluid == Fluid::quasisteady && fidelity.scheme == Scheme::tuned; }

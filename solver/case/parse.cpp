@@ -2,20 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
+
+#include "solver/case/choose_fluid.hpp"
+#include "solver/case/shown_number.hpp"
 
 namespace capstan {
 namespace {
 
 using nlohmann::json;
-
-std::string shown(double number) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-  return {text.data(), end};
-}
 
 struct Range {
   double low, high;
@@ -87,7 +83,8 @@ class ObjectReader {
 
   /// A key that is only meaningful under a condition.
   void without_effect(const char* key, bool effective, const char* why) {
-    if (!effective && has(key)) fault(key, std::string("has no effect: ") + why);
+    if (effective || !has(key)) return;
+    issues_.push_back({pointer_ + "/" + key, std::string("has no effect: ") + why, true});
   }
 
   /// A reader for the object under `key`, if it is there and is one.
@@ -160,29 +157,33 @@ void read_membrane(ObjectReader& reader, Case& c) {
   }
 }
 
-constexpr double kLargestStokesRe = 0.1;
-
-/// A box is asked for by its size; without that word it is only the lattice's way to have no walls near.
-bool asks_for_walls(ObjectReader& reader) {
-  const json* fidelity = reader.take("fidelity");
-  return fidelity && fidelity->is_object() && fidelity->contains("box");
+void read_fluid(ObjectReader& reader, Case& c, Choices& choices) {
+  const json *given = reader.take("fluid"), *fidelity = reader.take("fidelity");
+  const json asked = given ? *given : json("auto");
+  const FluidChoice choice = choose_fluid(c.Re, fidelity ? *fidelity : json());
+  c.fluid = choice.fluid;
+  if (asked == "auto")
+    choices.push_back({"fluid", asked, word(c.fluid), choice.reason});
+  else
+    reader.choice("fluid", c.fluid, std::array{Fluid::quasisteady, Fluid::transient, Fluid::stokes}, "auto");
 }
 
-void read_flow(ObjectReader& reader, Case& c) {
-  reader.number("V", c.V, {0.01, 100});
-  const json* fluid = reader.take("fluid");
-  const bool automatic = fluid && *fluid == "auto", stokes = fluid && *fluid == "stokes";
-  c.Re = 0.05;
-  reader.number("Re", c.Re, {0, 10, !automatic && !stokes});
-  // The quasi-steady flow has no memory: from Re = 0.1 on it deviates (paper, fig. 10), so there it must be asked for.
-  c.fluid = c.Re >= 0.1 ? Fluid::transient : Fluid::quasisteady;
-  if (!automatic) reader.choice("fluid", c.fluid, std::array{Fluid::quasisteady, Fluid::transient, Fluid::stokes}, "auto");
-  else if (c.Re <= kLargestStokesRe && !asks_for_walls(reader)) c.fluid = Fluid::stokes;
-  if (c.has_grid() && c.Re == 0) reader.fault("Re", "is 0, which a lattice in a box cannot have; leave the box out, or give Re > 0");
-  if (c.has_grid()) return;
+void leave_out_inertia(ObjectReader& reader, Case& c, Choices& choices) {
   if (c.Re > kLargestStokesRe)
     reader.fault("Re", "is " + shown(c.Re) + ", but the fluid \"stokes\" has no inertia: at most 0.1, or another fluid");
+  if (c.Re > 0 && reader.has("Re")) choices.push_back({"Re", c.Re, 0, "boundary integrals have no inertia"});
   c.Re = 0;
+}
+
+void read_flow(ObjectReader& reader, Case& c, Choices& choices) {
+  reader.number("V", c.V, {0.01, 100});
+  c.Re = 0.05;
+  reader.number("Re", c.Re, {0, 10});
+  read_fluid(reader, c, choices);
+  if (!c.has_grid()) return leave_out_inertia(reader, c, choices);
+  if (c.Re == 0)
+    reader.fault("Re",
+                 "is 0, which a lattice cannot have; give Re > 0, or leave out what asks for a lattice");
 }
 
 void read_until(ObjectReader& reader, Until& until) {
@@ -237,6 +238,8 @@ void read_knobs(ObjectReader& knobs, const Case& c, Fidelity& fidelity) {
   knobs.number("tolerance", fidelity.tolerance, {1e-12, 0.1});
   for (const char* key : {"scheme", "stepper", "tolerance", "kdt"})
     knobs.without_effect(key, c.fluid != Fluid::transient, "the transient flow's time step is set by the lattice");
+  knobs.without_effect("tolerance", c.fluid != Fluid::stokes || c.has_viscosity_contrast(),
+                       "at V = 1 boundary integrals give the flow without solving an equation");
   for (const char* key : {"dx", "box", "scheme"})
     knobs.without_effect(key, c.has_grid(), "boundary integrals have no grid");
   knobs.without_effect("symmetry", c.can_use_symmetry(), "this flow is always solved for as a whole");
@@ -294,13 +297,24 @@ ParsedCase parse_case(const json& object) {
   ObjectReader reader(object, "", parsed.issues);
   read_shape(reader, c);
   read_membrane(reader, c);
-  read_flow(reader, c);
+  read_flow(reader, c, parsed.choices);
   read_until(reader, c.until);
   read_outputs(reader, c.outputs);
   read_fidelity(reader, c);
   reader.finish();
   if (parsed.issues.empty()) parsed.value = c;
   return parsed;
+}
+
+Issues drop_keys_without_effect(json& object) {
+  Issues dropped;
+  for (const Issue& issue : parse_case(object).issues) {
+    if (!issue.without_effect) continue;
+    const json::json_pointer key(issue.pointer);
+    object[key.parent_pointer()].erase(key.back());
+    dropped.push_back(issue);
+  }
+  return dropped;
 }
 
 namespace {

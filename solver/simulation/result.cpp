@@ -31,12 +31,14 @@ std::vector<std::string> warnings(const Case& c, const RunStatistics& statistics
 
 }  // namespace
 
-nlohmann::ordered_json result_json(const Case& c, const Simulation& simulation, const Outcome& outcome,
-                                   double seconds) {
+nlohmann::ordered_json result_json(const Case& c, const Choices& choices, const Simulation& simulation,
+                                   const Outcome& outcome, double seconds) {
   const RunStatistics& statistics = simulation.statistics();
   const Verdict verdict = classify(simulation.history());
   nlohmann::ordered_json result;
   result["format"] = 1;
+  result["case"] = to_json(c);
+  result["choices"] = to_json(choices);
   result["stop"] = word(outcome.stop);
   result["message"] = outcome.message;
   result["motion"] = word(verdict.motion);

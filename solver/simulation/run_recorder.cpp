@@ -9,8 +9,12 @@
 
 namespace capstan {
 
-RunRecorder::RunRecorder(std::filesystem::path directory, const Case& c, std::function<bool()> interrupted)
-    : directory_(std::move(directory)), case_(c), interrupted_(std::move(interrupted)) {
+RunRecorder::RunRecorder(std::filesystem::path directory, const Case& c, Choices choices,
+                         std::function<bool()> interrupted)
+    : directory_(std::move(directory)),
+      case_(c),
+      choices_(std::move(choices)),
+      interrupted_(std::move(interrupted)) {
   std::filesystem::create_directories(directory_);
 }
 
@@ -54,7 +58,7 @@ double RunRecorder::seconds() const {
 
 void RunRecorder::finish(const Simulation& simulation, const Outcome& outcome) {
   write_durably(directory_ / "result.json",
-                result_json(case_, simulation, outcome, seconds()).dump(2) + "\n");
+                result_json(case_, choices_, simulation, outcome, seconds()).dump(2) + "\n");
 }
 
 }  // namespace capstan

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "solver/case/case.hpp"
+#include "solver/case/choice.hpp"
 #include "solver/simulation/run_output.hpp"
 #include "solver/simulation/shape_writer.hpp"
 #include "solver/simulation/simulation.hpp"
@@ -16,8 +17,9 @@ namespace capstan {
 class RunRecorder : public RunOutput {
  public:
   /// Creates the directory if it is not there.
-  /// \param interrupted  asked after every step
-  RunRecorder(std::filesystem::path directory, const Case& c, std::function<bool()> interrupted);
+  /// \param choices      made for the case   \param interrupted  asked after every step
+  RunRecorder(std::filesystem::path directory, const Case& c, Choices choices,
+              std::function<bool()> interrupted);
 
   /// Puts the simulation where the newest valid checkpoint left it, or leaves it at its start.
   /// What is said about it goes to `log`.
@@ -38,6 +40,7 @@ class RunRecorder : public RunOutput {
 
   std::filesystem::path directory_;
   Case case_;
+  Choices choices_;
   std::function<bool()> interrupted_;
   std::ofstream history_;
   std::optional<ShapeWriter> shapes_;

@@ -13,7 +13,7 @@ namespace capstan {
 namespace {
 
 std::string red_cell(const std::string& kt, const std::string& knobs) {
-  return R"({"shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.4, "V": 4, "until": {"kt": )" +
+  return R"({"fluid": "quasisteady", "shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.4, "V": 4, "until": {"kt": )" +
          kt + R"(}, "outputs": {"shapes_every": 0}, "fidelity": {"preset": "fast")" + knobs + "}}";
 }
 

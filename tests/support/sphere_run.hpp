@@ -1,5 +1,5 @@
 #pragma once
-// Runs of the neo-Hookean sphere, V = 1, E_b = 0.
+// Runs of the neo-Hookean sphere, V = 1, E_b = 0, on the quasi-steady lattice.
 #include <sstream>
 #include <string>
 
@@ -10,8 +10,8 @@ namespace capstan::testing {
 /// \param fidelity  JSON: a preset's name in quotes, or an object
 inline History sphere_run(double Ca, const std::string& fidelity, double kt) {
   std::ostringstream text;
-  text << R"({"Ca": )" << Ca << R"(, "fidelity": )" << fidelity << R"(, "until": {"kt": )" << kt
-       << R"(}, "outputs": {"shapes_every": 0}})";
+  text << R"({"fluid": "quasisteady", "Ca": )" << Ca << R"(, "fidelity": )" << fidelity
+       << R"(, "until": {"kt": )" << kt << R"(}, "outputs": {"shapes_every": 0}})";
   return history_of(text.str());
 }
 

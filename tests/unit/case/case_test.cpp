@@ -20,7 +20,7 @@ using ::testing::UnorderedElementsAre;
 
 /// The biconcave capsule of the paper's Fig. 16.
 const json kRedBloodCell = json::parse(R"({
-  "shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.4, "V": 4, "Re": 0.05, "E_b": 0.015})");
+  "shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.4, "V": 4, "Re": 0.05, "E_b": 0.015, "fluid": "quasisteady"})");
 
 json with(json object, const char* pointer, const json& value) {
   object[json::json_pointer(pointer)] = value;
@@ -93,6 +93,26 @@ TEST(ParseCase, RefusesKeysWithoutEffectAndSaysWhy) {
               HasSubstr("no effect"));
 }
 
+TEST(ParseCase, MarksKeysWithoutEffectSoThatTheyCanBeLeftOut) {
+  EXPECT_TRUE(parse_case({{"Ca", 0.1}, {"C", 5}}).issues.at(0).without_effect);
+  EXPECT_FALSE(parse_case({{"Ca", -0.1}}).issues.at(0).without_effect);
+}
+
+TEST(ParseCase, KeysWithoutEffectCanBeDroppedAllAtOnce) {
+  json object = json::parse(R"({"Ca": 0.1, "C": 5, "c0": 0, "bending": "variational", "fluid": "stokes",
+    "fidelity": {"nodes": 642, "tolerance": 1e-5, "dx": 0.1}})");
+  EXPECT_EQ(drop_keys_without_effect(object).size(), 5u);
+  EXPECT_EQ(object, json::parse(R"({"Ca": 0.1, "fluid": "stokes", "fidelity": {"nodes": 642}})"));
+}
+
+TEST(ParseCase, AToleranceHasNoEffectWhereBoundaryIntegralsSolveNoEquation) {
+  const json sphere = {{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", {{"tolerance", 1e-5}}}};
+  EXPECT_THAT(faulty_pointers(sphere), ElementsAre("/fidelity/tolerance"));
+  EXPECT_THAT(only_message(sphere), HasSubstr("has no effect: at V = 1"));
+  EXPECT_EQ(valid(with(sphere, "/V", 4)).fidelity.tolerance, 1e-5);
+  EXPECT_EQ(valid(with(sphere, "/fluid", "quasisteady")).fidelity.tolerance, 1e-5);
+}
+
 TEST(ParseCase, RefusesNumbersThatAreNotFinite) {
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (const char* key : {"Ca", "V", "Re", "E_b"})
@@ -121,17 +141,54 @@ TEST(ParseCase, SpontaneousCurvatureIsANumberOrTheInitialOne) {
   EXPECT_THAT(faulty_pointers(with(kRedBloodCell, "/c0", "flat")), ElementsAre("/c0"));
 }
 
-TEST(ParseCase, FromReynoldsOneTenthOnTheFlowIsTransientUnlessToldOtherwise) {
-  EXPECT_EQ(valid({{"Ca", 0.1}, {"Re", 0.05}}).fluid, Fluid::quasisteady);
-  EXPECT_EQ(valid({{"Ca", 0.1}, {"Re", 0.1}}).fluid, Fluid::transient);
+/// The fluid that was chosen for a sphere with these keys, whether "auto" stands there or nothing does.
+Fluid chosen_fluid(json keys) {
+  keys["Ca"] = 0.1;
+  const Fluid by_default = valid(keys).fluid;
+  keys["fluid"] = "auto";
+  EXPECT_EQ(valid(keys).fluid, by_default) << keys;
+  return by_default;
+}
+
+TEST(ParseCase, WithoutInertiaWallsAndLatticeSettingsTheFluidIsStokes) {
+  for (const json& keys :
+       {json::object(), json{{"Re", 0}}, json{{"Re", 0.1}}, json{{"V", 4}}, json{{"fidelity", "fast"}},
+        json{{"fidelity", {{"nodes", 642}, {"symmetry", "none"}}}}})
+    EXPECT_EQ(chosen_fluid(keys), Fluid::stokes) << keys;
+}
+
+TEST(ParseCase, ASettingThatOnlyALatticeHasAsksForALattice) {
+  for (const json& fidelity :
+       {json("paper"), json{{"preset", "paper"}}, json{{"dx", 0.1}}, json{{"box", 6.4}},
+        json{{"scheme", "tuned"}}, json{{"precision", "double"}}, json{{"kdt", 0.01}}})
+    EXPECT_EQ(chosen_fluid({{"fidelity", fidelity}}), Fluid::quasisteady) << fidelity;
+}
+
+TEST(ParseCase, InertiaAsksForATransientFlow) {
+  EXPECT_EQ(chosen_fluid({{"Re", 0.11}}), Fluid::transient);
+  EXPECT_EQ(chosen_fluid({{"Re", 0.1}, {"fidelity", {{"box", 6.4}}}}), Fluid::transient);
   EXPECT_EQ(valid({{"Ca", 0.1}, {"Re", 0.1}, {"fluid", "quasisteady"}}).fluid, Fluid::quasisteady);
 }
 
-TEST(ParseCase, AutoTakesStokesUnlessInertiaOrWallsAreAskedFor) {
-  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "auto"}}).fluid, Fluid::stokes);
-  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "auto"}, {"Re", 0}}).fluid, Fluid::stokes);
-  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "auto"}, {"Re", 0.5}}).fluid, Fluid::transient);
-  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "auto"}, {"fidelity", {{"box", 6.4}}}}).fluid, Fluid::quasisteady);
+TEST(ParseCase, KeepsWhatWasAskedWhatWasChosenAndWhy) {
+  const Choices choices = parse_case({{"Ca", 0.1}}).choices;
+  ASSERT_EQ(choices.size(), 1u);
+  EXPECT_EQ(choices[0].key, "fluid");
+  EXPECT_EQ(choices[0].asked, "auto");
+  EXPECT_EQ(choices[0].chosen, "stokes");
+  EXPECT_THAT(choices[0].reason, HasSubstr("neither inertia (Re = 0.05) nor walls"));
+  EXPECT_THAT(in_words(choices[0]), HasSubstr("fluid: auto became stokes: "));
+  const ParsedCase lattice = parse_case({{"Ca", 0.1}, {"fidelity", {{"preset", "fast"}, {"dx", 0.4}}}});
+  EXPECT_THAT(lattice.choices.at(0).reason, HasSubstr("fidelity/dx"));
+}
+
+TEST(ParseCase, SaysThatBoundaryIntegralsLeaveTheReynoldsNumberOut) {
+  const Choices choices = parse_case({{"Ca", 0.1}, {"Re", 0.05}, {"fluid", "stokes"}}).choices;
+  ASSERT_EQ(choices.size(), 1u);
+  EXPECT_EQ(choices[0].key, "Re");
+  EXPECT_EQ(choices[0].asked, 0.05);
+  EXPECT_EQ(choices[0].chosen, 0);
+  EXPECT_THAT(parse_case({{"Ca", 0.1}, {"fluid", "quasisteady"}}).choices, IsEmpty());
 }
 
 TEST(ParseCase, WhatAutoChoseIsTheCaseThatRuns) {
@@ -142,14 +199,14 @@ TEST(ParseCase, StokesFlowHasNeitherInertiaNorGrid) {
   EXPECT_EQ(case_id(valid({{"Ca", 0.1}, {"fluid", "stokes"}, {"Re", 0.1}})),
             case_id(valid({{"Ca", 0.1}, {"fluid", "stokes"}, {"Re", 0}})));
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fluid", "stokes"}, {"Re", 0.2}}), ElementsAre("/Re"));
-  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"Re", 0}}), ElementsAre("/Re"));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"Re", 0}, {"fluid", "quasisteady"}}), ElementsAre("/Re"));
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", {{"dx", 0.1}, {"box", 12.8}}}}),
               UnorderedElementsAre("/fidelity/dx", "/fidelity/box"));
 }
 
 TEST(ParseCase, StepperThatChoosesItsStepsTakesNone) {
   EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "stokes"}}).fidelity.stepper, Stepper::runge_kutta_chebyshev);
-  EXPECT_EQ(valid({{"Ca", 0.1}}).fidelity.stepper, Stepper::adams_bashforth);
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "quasisteady"}}).fidelity.stepper, Stepper::adams_bashforth);
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"stepper", "rkc2"}, {"kdt", 0.1}}}}),
               ElementsAre("/fidelity/kdt"));
 }
@@ -181,7 +238,8 @@ TEST(ParseCase, OnlyAFlowThatHasTheChoiceTakesASymmetryOrAPrecision) {
 }
 
 TEST(ParseCase, APresetIsAStartThatKnobsChange) {
-  const Case c = valid({{"Ca", 0.1}, {"fidelity", {{"preset", "fast"}, {"nodes", 162}}}});
+  const Case c =
+      valid({{"Ca", 0.1}, {"fluid", "quasisteady"}, {"fidelity", {{"preset", "fast"}, {"nodes", 162}}}});
   EXPECT_EQ(c.fidelity.dx, 0.2);
   EXPECT_EQ(c.fidelity.nodes, 162);
   EXPECT_THAT(only_message({{"Ca", 0.1}, {"fidelity", "quick"}}), HasSubstr("fast, standard, fine, paper"));
@@ -190,6 +248,7 @@ TEST(ParseCase, APresetIsAStartThatKnobsChange) {
 const json kManyCases[] = {
     kRedBloodCell,
     {{"Ca", 0.05}},
+    {{"Ca", 0.05}, {"fluid", "quasisteady"}},
     with(kRedBloodCell, "/c0", 0.1),
     with(kRedBloodCell, "/bending", "helfrich_literal"),
     {{"Ca", 1.0 / 3}, {"shape", "oblate"}, {"aspect", 0.9}},
@@ -210,7 +269,7 @@ TEST(CanonicalCase, ReadsBackAsTheSameCase) {
 }
 
 TEST(CanonicalCase, WritesOutEveryDefault) {
-  const Case c = valid({{"Ca", 0.05}});
+  const Case c = valid({{"Ca", 0.05}, {"fluid", "quasisteady"}});
   const nlohmann::ordered_json canonical = to_json(c);
   for (const char* key : {"shape", "law", "Ca", "V", "Re", "E_b", "fluid", "until", "fidelity", "outputs"})
     EXPECT_TRUE(canonical.contains(key)) << key;
@@ -219,7 +278,7 @@ TEST(CanonicalCase, WritesOutEveryDefault) {
 
 TEST(CaseId, IsSharedByEqualCasesHoweverTheyAreWritten) {
   const Case written = valid(json::parse(R"({"Ca": 0.40, "V": 4.0e0, "law": "skalak", "C": 5.0, "E_b": 15e-3,
-      "shape": "biconcave", "c0": "initial", "fidelity": "standard"})"));
+      "shape": "biconcave", "c0": "initial", "fluid": "quasisteady", "fidelity": "standard"})"));
   EXPECT_EQ(case_id(written), case_id(valid(kRedBloodCell)));
 }
 

@@ -22,9 +22,13 @@ TEST(RunCost, GrowsWithTheLengthOfTheRun) {
 
 TEST(RunCost, IsHigherWithViscosityContrastAFinerGridAndWithoutSymmetry) {
   EXPECT_LT(cost(""), cost(R"(, "V": 4)"));
-  EXPECT_LT(cost(R"(, "fidelity": "fast")"), cost(R"(, "fidelity": "standard")"));
-  EXPECT_LT(cost(R"(, "fidelity": "standard")"),
-            cost(R"(, "fidelity": {"preset": "standard", "symmetry": "none"})"));
+  for (const char* fluid : {"quasisteady", "stokes"}) {
+    const auto with_fidelity = [fluid](const std::string& fidelity) {
+      return cost(std::string(R"(, "fluid": ")") + fluid + R"(", "fidelity": )" + fidelity);
+    };
+    EXPECT_LT(with_fidelity(R"("fast")"), with_fidelity(R"("standard")"));
+    EXPECT_LT(with_fidelity(R"("standard")"), with_fidelity(R"({"preset": "standard", "symmetry": "none"})"));
+  }
 }
 
 TEST(RunCost, OfTheShortestAndTheLongestRunsIsANumberThatCanBeSummed) {

@@ -86,11 +86,11 @@ TEST(Simulation, FlowThatDoesNotConvergeIsAnOutcome) {
   EXPECT_THAT(outcome.message, HasSubstr("at kt = 0: the multigrid cycles did not converge"));
 }
 
-nlohmann::ordered_json result_of(const Case& c) {
+nlohmann::ordered_json result_of(const Case& c, const Choices& choices = {}) {
   MemoryOutput output;
   Simulation simulation(c);
   const Outcome outcome = simulation.run(output);
-  return result_json(c, simulation, outcome, 1.25);
+  return result_json(c, choices, simulation, outcome, 1.25);
 }
 
 TEST(Result, NamesTheModelsThatRanAndWhatWasLeftOut) {
@@ -105,6 +105,14 @@ TEST(Result, NamesTheModelsThatRanAndWhatWasLeftOut) {
   EXPECT_EQ(full["trust"]["fluid"], "transient");
   EXPECT_EQ(full["trust"]["bending"], "helfrich_literal");
   EXPECT_TRUE(full["trust"]["left_out"].empty());
+}
+
+TEST(Result, HoldsTheCaseAndWhatWasChosenForIt) {
+  const Choices choices = {{"fluid", "auto", "quasisteady", "because"}};
+  const auto result = result_of(small_case(), choices);
+  EXPECT_EQ(result["case"], to_json(small_case()));
+  EXPECT_EQ(result["choices"], to_json(choices));
+  EXPECT_EQ(result["choices"][0]["asked"], "auto");
 }
 
 TEST(Result, HoldsTheLastRecordTheCostAndTheReasonOfAFailure) {

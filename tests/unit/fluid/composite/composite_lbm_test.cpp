@@ -19,7 +19,7 @@ struct RedCell {
 
   RedCell() {
     const Case c = testing::parsed_case(
-        R"({"shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.4, "fidelity": "fast"})");
+        R"({"shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.4, "fluid": "quasisteady", "fidelity": "fast"})");
     initial = initial_positions(c, sphere);
     positions = initial;
     positions.row(0) += 0.1 * initial.row(1);

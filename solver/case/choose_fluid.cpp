@@ -1,0 +1,38 @@
+#include "solver/case/choose_fluid.hpp"
+
+#include "solver/case/shown_number.hpp"
+
+namespace capstan {
+namespace {
+
+/// The setting that only a lattice has, e.g. "fidelity/dx"; "" if there is none. A time step is one, because
+/// boundary integrals choose theirs by its error.
+std::string lattice_setting(const nlohmann::json& fidelity) {
+  if (fidelity == "paper") return "fidelity";
+  if (!fidelity.is_object()) return "";
+  for (const char* key : {"dx", "box", "scheme", "precision", "kdt"})
+    if (fidelity.contains(key)) return std::string("fidelity/") + key;
+  return fidelity.contains("preset") && fidelity["preset"] == "paper" ? "fidelity/preset" : "";
+}
+
+}  // namespace
+
+Fluid lattice_for(double Re) { return Re < 0.1 ? Fluid::quasisteady : Fluid::transient; }
+
+FluidChoice choose_fluid(double Re, const nlohmann::json& fidelity) {
+  const std::string setting = lattice_setting(fidelity), at = "Re = " + shown(Re);
+  if (!setting.empty() && lattice_for(Re) == Fluid::quasisteady)
+    return {Fluid::quasisteady,
+            setting + " is a setting of a lattice; at " + at + " its flow may be taken as steady"};
+  if (!setting.empty())
+    return {Fluid::transient,
+            setting + " is a setting of a lattice; at " + at + " its flow has to follow in time"};
+  if (Re > kLargestStokesRe)
+    return {Fluid::transient,
+            at + " is above " + shown(kLargestStokesRe) + ", so the inertia of the fluid matters"};
+  return {Fluid::stokes, "neither inertia (" + at +
+                             ") nor walls nor a setting of a lattice were asked for; "
+                             "boundary integrals are then more accurate at the same cost"};
+}
+
+}  // namespace capstan
