@@ -17,7 +17,7 @@ std::string contents(const std::filesystem::path& path) {
 
 ParsedCase read_case(const std::filesystem::path& path) {
   const ParsedJson json = parse_json(contents(path));
-  return json.value ? parse_case(*json.value) : ParsedCase{std::nullopt, json.issues};
+  return json.value ? parse_case(*json.value) : ParsedCase{std::nullopt, json.issues, {}};
 }
 
 void print_faults(const std::filesystem::path& file, const Issues& issues) {
