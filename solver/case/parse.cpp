@@ -6,6 +6,7 @@
 #include <set>
 
 #include "solver/case/choose_fluid.hpp"
+#include "solver/case/limits.hpp"
 #include "solver/case/shown_number.hpp"
 
 namespace capstan {
@@ -189,7 +190,7 @@ void read_flow(ObjectReader& reader, Case& c, Choices& choices) {
 void read_until(ObjectReader& reader, Until& until) {
   auto inner = reader.nested("until");
   if (!inner) return;
-  inner->number("kt", until.kt, {0, 10000, true});
+  inner->number("kt", until.kt, {kLeastTime, 10000});
   inner->boolean("classified", until.classified);
   inner->finish();
 }
@@ -197,8 +198,10 @@ void read_until(ObjectReader& reader, Until& until) {
 void read_outputs(ObjectReader& reader, Outputs& outputs) {
   auto inner = reader.nested("outputs");
   if (!inner) return;
-  inner->number("history_every", outputs.history_every, {0, 1, true});
+  inner->number("history_every", outputs.history_every, {kLeastTime, 1});
   inner->number("shapes_every", outputs.shapes_every, {0, 10000});
+  if (outputs.shapes_every > 0 && outputs.shapes_every < kLeastTime)
+    inner->fault("shapes_every", "is " + shown(outputs.shapes_every) + ", must be 0 (no shapes) or at least " + shown(kLeastTime));
   inner->integer("checkpoint_every", outputs.checkpoint_every, {1, 1000000});
   inner->finish();
 }
@@ -262,8 +265,6 @@ void check_grid(ObjectReader& reader, const Case& c) {
   else if (c.has_composite_grid() && halved_cells(int(std::lround(cells))).back() > kMostOfCoarsest)
     reader.fault("fidelity", "box/dx is " + shown(cells) + ", which cannot be halved until 24 or less are left; try " +
                                  shown(std::exp2(std::round(std::log2(cells)))));
-  else if (!c.has_composite_grid() && cells > 512)
-    reader.fault("fidelity", "box/dx is " + shown(cells) + ", more than the 512 cells an edge that fit into memory");
 }
 
 void read_fidelity(ObjectReader& reader, Case& c) {
@@ -279,7 +280,7 @@ void read_fidelity(ObjectReader& reader, Case& c) {
   }
   fidelity.kdt = default_kdt(c);
   if (knobs) {
-    knobs->number("kdt", fidelity.kdt, {0, 1, true});
+    knobs->number("kdt", fidelity.kdt, {kLeastTime, 1});
     knobs->finish();
   }
   if (c.has_grid()) check_grid(reader, c);
@@ -302,6 +303,7 @@ ParsedCase parse_case(const json& object) {
   read_outputs(reader, c.outputs);
   read_fidelity(reader, c);
   reader.finish();
+  if (parsed.issues.empty()) parsed.issues = limits_exceeded(c);
   if (parsed.issues.empty()) parsed.value = c;
   return parsed;
 }

@@ -215,12 +215,6 @@ TEST(ParseCase, AGridThatCannotBeCoarsenedOrHeldIsAFault) {
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"dx", 0.11}}}}), ElementsAre("/fidelity"));
   EXPECT_THAT(only_message({{"Ca", 0.1}, {"fidelity", {{"dx", 0.02}, {"box", 100}}}}), HasSubstr("try 4096"));
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"dx", 0.025}, {"box", 51.2}}}}), IsEmpty());
-  for (const json& all_fine : {json{{"fidelity", {{"scheme", "paper"}, {"dx", 0.02}, {"box", 20.48}}}},
-                               json{{"fluid", "transient"}, {"fidelity", {{"dx", 0.02}, {"box", 20.48}}}}}) {
-    json object = all_fine;
-    object["Ca"] = 0.1;
-    EXPECT_THAT(only_message(object), HasSubstr("memory"));
-  }
 }
 
 TEST(ParseCase, OnlyAFlowThatHasTheChoiceTakesASymmetryOrAPrecision) {

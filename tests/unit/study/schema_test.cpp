@@ -29,10 +29,11 @@ std::set<std::string> case_keys() {
   return all;
 }
 
-/// A case in which every key but `aspect` has an effect.
+/// A case in which every key but `aspect` has an effect, and each bound alone is no impossible run.
 const json kCase =
     json::parse(R"({"shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.4, "V": 4, "Re": 0.05,
-  "E_b": 0.015, "bending": "variational", "c0": 0, "fluid": "quasisteady"})");
+  "E_b": 0.015, "bending": "variational", "c0": 0, "fluid": "quasisteady", "until": {"kt": 0.1},
+  "fidelity": {"precision": "double"}})");
 
 std::vector<std::string> faults_with(const std::string& pointer, const json& value) {
   json object = kCase;

@@ -1,0 +1,163 @@
+#include "solver/case/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "solver/case/run_cost.hpp"
+#include "solver/case/units.hpp"
+
+namespace capstan {
+namespace {
+
+std::string rounded(double number) {
+  std::ostringstream text;
+  text.precision(3);
+  text << number;
+  return text.str();
+}
+
+double transient_step(const Case& c) {
+  constexpr double kViscosity = 0.04;  // of the transient lattice
+  return lattice_units(c.Re, kViscosity, c.fidelity.dx).kdt;
+}
+
+double transient_steps(const Case& c) {
+  return c.fluid == Fluid::transient ? c.until.kt / transient_step(c) : 0;
+}
+
+double equal_steps(const Case& c) {
+  const bool are_equal = c.fluid != Fluid::transient && c.fidelity.kdt > 0;
+  return are_equal ? c.until.kt / c.fidelity.kdt : 0;
+}
+
+double records(const Case& c) { return c.until.kt / c.outputs.history_every; }
+
+double shapes(const Case& c) { return c.outputs.shapes_every > 0 ? c.until.kt / c.outputs.shapes_every : 0; }
+
+/// Positions, velocities and forces of every vertex, and what the file itself takes.
+double gigabytes_of_shapes(const Case& c) { return shapes(c) * (9 * 8 * c.fidelity.nodes + 4096.) / 1e9; }
+
+double gigabytes_of_grid(const Case& c) { return grid_bytes(c) / 1e9; }
+
+double days(const Case& c) { return run_cost(c) / 86400; }
+
+/// One thing of which a run can have too much.
+struct Limit {
+  std::string_view pointer;       ///< to the parameter that decides it
+  double (*demand)(const Case&);  ///< 0: this case has none of it
+  double largest;                 ///< the comment beside it says why
+  std::string_view unit, advice;
+};
+
+constexpr Limit kLimits[] = {
+    // a step takes 10 microseconds at the very least
+    {"/Re", transient_steps, 1e8, "time steps",
+     "a step of the transient flow is k dt = 0.04 Re dx^2, so raise Re or dx, lower until.kt, or take the "
+     "fluid "
+     "quasisteady or stokes"},
+    {"/fidelity/kdt", equal_steps, 1e8, "time steps", "raise kdt, lower until.kt, or take the stepper rkc2"},
+    // each is a line of history.jsonl and a row of the database
+    {"/outputs/history_every", records, 2e5, "records", "raise outputs.history_every or lower until.kt"},
+    // each is a file of one directory
+    {"/outputs/shapes_every", shapes, 1e5, "shapes", "raise outputs.shapes_every or lower until.kt"},
+    {"/outputs/shapes_every", gigabytes_of_shapes, 50, "GB of shapes on disk",
+     "raise outputs.shapes_every, lower until.kt, or take fewer nodes"},
+    // of a large workstation
+    {"/fidelity", gigabytes_of_grid, 64, "GB of memory", "raise dx or lower box"},
+    {"/until/kt", days, 366, "days of computing on one core",
+     "lower until.kt, or take a coarser fidelity (fewer nodes, a larger dx)"},
+};
+
+/// The capsule's longest semi-axis at rest / a; all shapes have the volume of the unit sphere.
+double semi_axis_at_rest(const Case& c) {
+  constexpr double kBiconcave = 1.53;
+  switch (c.shape) {
+    case Shape::sphere:
+      return 1;
+    case Shape::oblate:
+      return std::cbrt(1 / c.aspect);
+    case Shape::prolate:
+      return std::cbrt(c.aspect * c.aspect);
+    case Shape::biconcave:
+      break;
+  }
+  return kBiconcave;
+}
+
+/// By how much the flow draws out a sphere, at least. Measured with boundary integrals, V = 1: a neo-Hookean
+/// sphere grows to 1.4, 2.3, 3.3 and more than 8 times its radius at Ca = 0.1, 0.5, 1 and 4; V = 5 takes it
+/// to 1.8 at Ca = 1. Skalak's law stiffens as it is stretched.
+double elongation(const Case& c) {
+  if (c.law == Law::skalak) return 1;
+  return 1 + std::min(2 * c.Ca * 2 / (1 + std::max(1., c.V)), 0.5 * c.until.kt);
+}
+
+/// The box's half edge must hold the longest semi-axis, and the cells that the delta function reaches beyond
+/// it.
+double least_box(const Case& c) {
+  constexpr double kCells = 4;
+  return 2 * (semi_axis_at_rest(c) * elongation(c) + kCells * c.fidelity.dx);
+}
+
+/// Below this the velocities in lattice units are too small for the numbers that hold them.
+constexpr double kLeastReynolds = 1e-6;
+
+void check_precision(const Case& c, Issues& issues) {
+  constexpr double kLeastTolerance = 1e-7;  // the rounding of single precision
+  if (c.has_composite_grid() && c.fidelity.precision == Precision::single &&
+      c.fidelity.tolerance < kLeastTolerance)
+    issues.push_back({"/fidelity/tolerance", "is " + rounded(c.fidelity.tolerance) +
+                                                 ", and the flow in single precision is known to " +
+                                                 rounded(kLeastTolerance) +
+                                                 " at best: raise it, or take precision double"});
+}
+
+void check_time_resolution(const Case& c, Issues& issues) {
+  constexpr double kLeastStep = 1e-8;
+  if (c.fluid == Fluid::transient && transient_step(c) < kLeastStep)
+    issues.push_back({"/Re", "makes a time step of " + rounded(transient_step(c)) +
+                                 ", and times are resolved to " + rounded(kLeastStep) +
+                                 " at best: raise Re or dx (the step is 0.04 Re dx^2)"});
+}
+
+void check_grid_fits(const Case& c, Issues& issues) {
+  if (c.Re < kLeastReynolds)
+    issues.push_back({"/Re", "is " + rounded(c.Re) + ", and a lattice needs at least " +
+                                 rounded(kLeastReynolds) +
+                                 ": raise it, or take the fluid stokes, which has no inertia"});
+  if (c.fidelity.box < least_box(c))
+    issues.push_back({"/fidelity/box", "is " + rounded(c.fidelity.box) +
+                                           ", and the capsule, drawn out to a length of " +
+                                           rounded(2 * semi_axis_at_rest(c) * elongation(c)) +
+                                           ", needs at least " + rounded(least_box(c)) +
+                                           ": take a larger box, or the fluid stokes, which has none"});
+}
+
+}  // namespace
+
+double grid_bytes(const Case& c) {
+  // of a cell: the populations before and after a sweep, stress rates, on coarse levels defect and start too;
+  // or, in place, the populations alone
+  constexpr double kPaper = 19 * 8 * 2 + 8 + 19 * 8 * 4 / 7., kInPlace = 19 * 4;
+  const double cells = std::pow(c.fidelity.box / c.fidelity.dx, 3);
+  if (c.fluid == Fluid::transient)
+    return cells * kInPlace * (c.fidelity.precision == Precision::twofold ? 2 : 1);
+  return c.fluid == Fluid::quasisteady && c.fidelity.scheme == Scheme::paper ? cells * kPaper : 0;
+}
+
+Issues limits_exceeded(const Case& c) {
+  Issues issues;
+  for (const Limit& limit : kLimits)
+    if (const double demand = limit.demand(c); !(demand <= limit.largest))
+      issues.push_back({std::string(limit.pointer), "makes a run of " + rounded(demand) + " " +
+                                                        std::string(limit.unit) + ", and at most " +
+                                                        rounded(limit.largest) +
+                                                        " are possible: " + std::string(limit.advice)});
+  check_time_resolution(c, issues);
+  if (c.has_grid()) check_grid_fits(c, issues);
+  check_precision(c, issues);
+  return issues;
+}
+
+}  // namespace capstan
