@@ -22,23 +22,6 @@ const FidelityPreset* find_preset(std::string_view name) {
   return nullptr;
 }
 
-// AB2 is stable up to k*dt ~ 20 Ca dx/a for a neo-Hookean sphere (measured, whatever the membrane mesh); Skalak
-// with C = 5 up to about 2.5 times less. The default keeps a factor of two or more below, and a resolution limit
-// for accuracy; dx^2 enters with the bending stiffness. A larger C stiffens the membrane as its area modulus 1 + 2C.
-double default_kdt(const Fidelity& fidelity, double Ca, double C) {
-  if (fidelity.scheme == Scheme::paper) return std::min(0.4 * Ca, 0.02);  // eq. 43
-  const double dx = fidelity.dx;
-  const double area_stiffness = std::max(1.0, (1 + 2 * C) / 11);
-  const double kdt = std::min({0.4 * dx, 4 * dx * dx, 2 * Ca * dx / area_stiffness});
-  return std::round(kdt * 1e9) / 1e9;  // 0.08, not 0.08000000000000002
-}
-
-// The stiffest mode, bending's, decays at about 30 / Ca with 642 nodes and as the node count to the power 3/2.
-double default_stokes_kdt(int nodes, double Ca) {
-  const double kdt = std::min(0.02, 0.02 * Ca * std::pow(642. / nodes, 1.5));
-  return std::round(kdt * 1e9) / 1e9;
-}
-
 std::vector<int> halved_cells(int finest) {
   std::vector<int> cells = {finest};
   while (cells.back() > 8 && cells.back() % 4 == 0) cells.push_back(cells.back() / 2);

@@ -39,7 +39,7 @@ struct Fidelity {
   bool operator==(const Fidelity&) const = default;
 };
 
-/// A named preset; `kdt` is still to be chosen by default_kdt.
+/// A named preset; stepper and `kdt` are still to be chosen (time_step_defaults.hpp).
 struct FidelityPreset {
   std::string_view name;
   std::string_view purpose;
@@ -47,13 +47,6 @@ struct FidelityPreset {
 };
 const std::vector<FidelityPreset>& fidelity_presets();
 const FidelityPreset* find_preset(std::string_view name);
-
-/// Largest time step that was found both stable and accurate for AB2 on a lattice (see the comment in fidelity.cpp).
-/// \param Ca capillary number  \param C Skalak's constant, 0 for neo-Hookean
-double default_kdt(const Fidelity& fidelity, double Ca, double C);
-
-/// The same for boundary integrals: no grid filters the membrane's stiffest modes, which grow with the mesh.
-double default_stokes_kdt(int nodes, double Ca);
 
 /// Cells along an edge of the composite's grids over the whole domain, finest first: halved until 8 or fewer are left
 /// or their half is odd.

@@ -8,6 +8,7 @@
 #include "solver/case/choose_fluid.hpp"
 #include "solver/case/limits.hpp"
 #include "solver/case/shown_number.hpp"
+#include "solver/case/time_step_defaults.hpp"
 
 namespace capstan {
 namespace {
@@ -251,9 +252,13 @@ void read_knobs(ObjectReader& knobs, const Case& c, Fidelity& fidelity) {
   knobs.without_effect("kdt", fidelity.stepper == Stepper::adams_bashforth, "rkc2 chooses its steps by their error");
 }
 
-double default_kdt(const Case& c) {
-  if (c.fidelity.stepper == Stepper::runge_kutta_chebyshev) return 0;
-  return c.has_grid() ? default_kdt(c.fidelity, c.Ca, c.C) : default_stokes_kdt(c.fidelity.nodes, c.Ca);
+/// \param knobs null where none were given
+void choose_time_step(ObjectReader* knobs, Case& c) {
+  Fidelity& fidelity = c.fidelity;
+  const bool is_open = !knobs || (!knobs->has("stepper") && !knobs->has("kdt"));
+  if (is_open && c.fluid == Fluid::quasisteady) fidelity.stepper = default_stepper(c);
+  fidelity.kdt = fidelity.stepper == Stepper::adams_bashforth ? default_kdt(c) : 0;
+  if (knobs) knobs->number("kdt", fidelity.kdt, {kLeastTime, 1});
 }
 
 void check_grid(ObjectReader& reader, const Case& c) {
@@ -278,11 +283,8 @@ void read_fidelity(ObjectReader& reader, Case& c) {
   } else if (given) {
     start_from_preset(reader, "fidelity", *given, c, fidelity);
   }
-  fidelity.kdt = default_kdt(c);
-  if (knobs) {
-    knobs->number("kdt", fidelity.kdt, {kLeastTime, 1});
-    knobs->finish();
-  }
+  choose_time_step(knobs ? &*knobs : nullptr, c);
+  if (knobs) knobs->finish();
   if (c.has_grid()) check_grid(reader, c);
 }
 

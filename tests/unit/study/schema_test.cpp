@@ -38,7 +38,7 @@ const json kCase =
 std::vector<std::string> faults_with(const std::string& pointer, const json& value) {
   json object = kCase;
   if (pointer == "/aspect") object["shape"] = value < 1 ? "oblate" : "prolate";
-  if (pointer == "/Re") object["fluid"] = "auto";
+  if (pointer == "/Re") object["fluid"] = "auto", object.erase("fidelity");
   object[json::json_pointer(pointer)] = value;
   std::vector<std::string> pointers;
   for (const Issue& issue : parse_case(object).issues) pointers.push_back(issue.pointer);

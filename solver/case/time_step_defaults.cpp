@@ -1,0 +1,101 @@
+#include "solver/case/time_step_defaults.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/case/limits.hpp"
+
+namespace capstan {
+namespace {
+
+/// Moduli against the flow: of shear and area, and of bending.
+struct Stiffness {
+  double in_plane, bending;
+};
+
+/// Rounded elements are stiffest where the shape is drawn out, or flat, and the mesh with it.
+Stiffness stiffness_of_shape(const Case& c) {
+  switch (c.shape) {
+    case Shape::sphere:
+      return {1, 1};
+    case Shape::oblate:
+      return {1.2, std::pow(c.aspect, c.has_grid() ? -0.65 : -1.4)};
+    case Shape::prolate:
+      return {std::pow(std::max(1., c.aspect / 3), 4),
+              std::pow(std::max(1., c.aspect / 3), c.has_grid() ? 7. : 3.)};
+    case Shape::biconcave:
+      break;
+  }
+  return {1, 1.2};
+}
+
+Stiffness stiffness_of_membrane(const Case& c) {
+  const Stiffness shape = stiffness_of_shape(c);
+  const double in_plane = c.law == Law::skalak ? 0.75 * (1 + c.C) : 1;
+  return {in_plane / c.Ca * shape.in_plane, c.E_b / c.Ca * shape.bending};
+}
+
+}  // namespace
+
+// A wave of length l on the membrane is driven by in-plane forces as 1/l^2 and by bending forces as 1/l^4, and the
+// fluid's resistance to it falls as l: so it decays as 1/l and 1/l^3. The shortest wave is a few spacings of the grid,
+// which filters all shorter ones; without a grid it is one of the mesh. The factors were measured by rkc2's power
+// iteration at Ca = 0.1 and kt = 0.1 with 642 nodes, on a grid of dx = 0.2 and without one.
+// clang-format off
+//   sphere                          grid   none   others
+//     neo-Hookean                    2.7     34   none, 2562 nodes: 68
+//     Skalak, C = 1                  4.2
+//             C = 10                  22    265
+//             C = 50, 100            116   2430
+//     E_b = 0.1                       15    830   dx = 0.1: 121   none, 162 and 2562 nodes: 97, 6840
+//     E_b = 1                        153   8340   V = 5: 98
+//   prolate, C = 10, aspect 4, 5  54, 162
+//            E_b = 0.1, aspect 5     519   3150
+//   oblate,  E_b = 0.1, aspect 0.1    65  20100
+// clang-format on
+double fastest_decay(const Case& c) {
+  const Stiffness membrane = stiffness_of_membrane(c);
+  if (c.has_grid()) {
+    const double dx = c.fidelity.dx, inside = std::max(0., 1 - 1 / c.V);
+    return 0.055 * membrane.in_plane / dx + 0.12 * (1 - inside / 2) * membrane.bending / std::pow(dx, 3);
+  }
+  const double fineness = c.fidelity.nodes / 642.;
+  return 2 / (1 + c.V) *
+         (3.4 * membrane.in_plane * std::sqrt(fineness) + 800 * membrane.bending * std::pow(fineness, 1.5));
+}
+
+namespace {
+
+/// AB2 is stable to 1 / decay rate; what is below leaves room for the stretched membrane.
+constexpr double kStableShare = 0.65;
+
+double stable_kdt(const Case& c) { return kStableShare / fastest_decay(c); }
+
+/// A resolution limit for accuracy; dx^2 enters with the bending stiffness.
+double resolved_kdt(double dx) { return std::min(0.4 * dx, 4 * dx * dx); }
+
+/// The last limit is a tenth of what keeps a neo-Hookean sphere stable, a quarter where Skalak's C is 5.
+double accurate_kdt(const Case& c) {
+  const double dx = c.fidelity.dx, area_stiffness = std::max(1.0, (1 + 2 * c.C) / 11);
+  if (!c.has_grid()) return 0.02 * std::min(1., c.Ca * std::pow(642. / c.fidelity.nodes, 1.5));
+  if (c.fidelity.scheme == Scheme::paper) return std::min(0.4 * c.Ca, 0.02);  // eq. 43
+  return std::min(resolved_kdt(dx), 2 * c.Ca * dx / area_stiffness);
+}
+
+}  // namespace
+
+double default_kdt(const Case& c) {
+  const double kdt = std::max(std::min(accurate_kdt(c), stable_kdt(c)), kLeastTime);
+  return std::round(kdt * 1e9) / 1e9;  // 0.08, not 0.08000000000000002
+}
+
+// At a sixteenth of the resolved step (sphere, Ca = 0.0125) both steppers solve about as many flows.
+Stepper default_stepper(const Case& c) {
+  constexpr double kSmallShare = 1. / 20;
+  const bool is_unstable = stable_kdt(c) < accurate_kdt(c);
+  const bool is_slow = default_kdt(c) < kSmallShare * resolved_kdt(c.fidelity.dx);
+  const bool takes_ab2 = c.has_grid() && !is_unstable && !is_slow;
+  return takes_ab2 ? Stepper::adams_bashforth : Stepper::runge_kutta_chebyshev;
+}
+
+}  // namespace capstan
