@@ -1,0 +1,53 @@
+#include "solver/mesh/surface_quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "solver/mesh/geometry.hpp"
+
+namespace capstan {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Of a face without area: none, as far from its neighbours' as a right angle.
+Points unit_normals(const TriangleMesh& mesh, const Points& positions) {
+  const Points areas = face_area_vectors(positions, mesh.faces);
+  const Eigen::RowVectorXd sizes = areas.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
+  return areas.array().rowwise() / sizes.array();
+}
+
+double degrees_of_cosine(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree; }
+
+/// The largest cosine of the three angles.
+double sharpest_corner(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = (b - a).stableNormalized(), bc = (c - b).stableNormalized(), ca = (a - c).stableNormalized();
+  return std::max({-ab.dot(ca), -bc.dot(ab), -ca.dot(bc)});
+}
+
+}  // namespace
+
+SurfaceQuality surface_quality(const TriangleMesh& mesh, const Points& positions) {
+  const Points normals = unit_normals(mesh, positions);
+  const double folded_cosine = std::cos(kFoldedEdge * kDegree);
+  double smallest_cosine = 1, sharpest = 0.5;
+  long folded = 0;
+  for (const Edge& edge : mesh.edges) {
+    const double cosine = normals.col(edge.faces[0]).dot(normals.col(edge.faces[1]));
+    smallest_cosine = std::min(smallest_cosine, cosine);
+    folded += cosine < folded_cosine;
+  }
+  for (const auto& face : mesh.faces.colwise())
+    sharpest = std::max(sharpest, sharpest_corner(positions.col(face[0]), positions.col(face[1]), positions.col(face[2])));
+  return {degrees_of_cosine(smallest_cosine), double(folded) / double(mesh.edges.size()),
+          degrees_of_cosine(sharpest)};
+}
+
+SurfaceQuality worst_of(const SurfaceQuality& a, const SurfaceQuality& b) {
+  return {std::max(a.largest_dihedral, b.largest_dihedral), std::max(a.folded_edges, b.folded_edges),
+          std::min(a.smallest_angle, b.smallest_angle)};
+}
+
+}  // namespace capstan
