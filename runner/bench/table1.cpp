@@ -62,7 +62,7 @@ void print_red_cells(const Standard& paper, const Standard& best, bool json) {
     const TimedRun run = timed_run(red_cell(Ca, kDx, 2562, 0.02, 30));
     rows.push_back({{"Ca", Ca},
                     {"seconds", to_tenths(run.seconds)},
-                    {"motion", word(classify(run.history).motion)},
+                    {"motion", word(run.verdict.motion)},
                     {"standard, s", whole(paper.seconds(30))},
                     {"speed-up", whole(paper.seconds(30) / run.seconds)},
                     {"the paper's", kPapers[row++]},

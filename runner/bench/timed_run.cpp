@@ -56,6 +56,7 @@ TimedRun timed_run(const Case& c, double longest_seconds) {
   const Outcome outcome = simulation.run(stopwatch);
   return {.outcome = outcome,
           .history = std::move(stopwatch.history),
+          .verdict = simulation.verdict(),
           .steps = simulation.statistics().steps,
           .kt = simulation.kt(),
           .seconds = processor_seconds() - cpu,

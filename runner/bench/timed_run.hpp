@@ -9,6 +9,7 @@ namespace capstan {
 struct TimedRun {
   Outcome outcome;  ///< interrupted where the time was up
   History history;
+  Verdict verdict;
   long steps = 0;      ///< of the membrane
   double kt = 0;       ///< where the last of them ended
   double seconds = 0;  ///< of processor time, all threads

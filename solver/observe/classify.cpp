@@ -1,108 +1,89 @@
 #include "solver/observe/classify.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <span>
+
+#include "solver/observe/explain.hpp"
+#include "solver/observe/findings.hpp"
+#include "solver/observe/shape_vector.hpp"
 
 namespace capstan {
 namespace {
 
-using std::numbers::pi;
-using Records = std::span<const Record>;
-
-constexpr double kStart = 3;                                   ///< kt
-constexpr double kMostlyMembrane = 0.25, kMostlyShape = 0.75;  ///< thresholds of r
-
-/// Thresholds of D_min, found on 96 boundary-integral runs of a biconcave capsule, each followed to kt = 60.
-/// Q must keep this far from 0. Where D_xy is small all along, a nearly spherical capsule, half of its
-/// largest value is asked for instead: a steady D_xy of 0.03 is not a passage through 0.
-constexpr double kClear = 0.06;
-/// No label given after one half-turn changed later if Q had kept this far away; nearer to 0 some did.
-constexpr double kClearAfterOneTurn = 0.1;
-
-Eigen::Vector2d shape_vector(const Record& record) {
-  return record.D_xy * Eigen::Vector2d(std::cos(2 * record.theta), std::sin(2 * record.theta));
+Motion motion_of(const Findings& found) {
+  const Motion turning = found.r >= kOfShape ? Motion::tumbling : Motion::tank_treading;
+  if (found.steady || found.settled) return turning;
+  if (found.half_turns.empty()) return Motion::undecided;
+  if (found.turned_both() || found.shares.are_of_both_kinds() || found.came_near_round())
+    return Motion::transition;
+  return turning;
 }
 
-double distance_of_segment_to_origin(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d along = b - a;
-  if (along.squaredNorm() == 0) return a.norm();
-  return (a + std::clamp(-a.dot(along) / along.squaredNorm(), 0.0, 1.0) * along).norm();
+// ------------------------------------------------------------------------------------------ doubt
+
+double from_0_to_1(double number) { return std::clamp(number, 0.0, 1.0); }
+
+/// Distance of r to the nearer threshold.
+double distance_of_r(double r) {
+  return from_0_to_1(std::min(std::abs(r - kOfMembrane), std::abs(r - kOfShape)) / (1 - kOfShape));
 }
 
-double smallest_distance_to_origin(Records records) {
-  double smallest = shape_vector(records.front()).norm();
-  for (size_t n = 0; n + 1 < records.size(); ++n)
-    smallest = std::min(
-        smallest, distance_of_segment_to_origin(shape_vector(records[n]), shape_vector(records[n + 1])));
-  return smallest;
+double distance_of_kinds(const Shares& shares) {
+  return from_0_to_1(std::min(shares.largest - kOfShape, kOfMembrane - shares.smallest) / (1 - kOfShape));
 }
 
-double shape_turns(Records records) { return (records.front().theta - records.back().theta) / pi; }
-double membrane_turns(Records records) { return (records.front().psi - records.back().psi) / pi; }
-double turns(Records records) { return shape_turns(records) + membrane_turns(records); }
-
-/// The part of the history that counts.
-Records after_start(const History& history) {
-  constexpr double kRounding = 1e-9;  // kt is a sum of steps
-  const auto first =
-      std::ranges::find_if(history, [](const Record& r) { return r.kt >= kStart - kRounding; });
-  return {first, history.end()};
+double margin_of_transition(const Findings& found) {
+  const double mixed = found.turned_both() ? distance_of_r(found.r) : 0;
+  const double near_round = from_0_to_1(1 - found.clearance());
+  const double seen = double(found.half_turns.size()) / kSettled;
+  const double missing = 1 - double(found.of_last_kind) / kSettled;
+  return std::min({std::max({mixed, distance_of_kinds(found.shares), near_round}), seen, missing});
 }
 
-/// The records cut where shape and membrane together have turned by another pi, without the unfinished rest.
-std::vector<Records> half_turns(Records records) {
-  std::vector<Records> pieces;
-  for (size_t begin = 0, end = 1; end < records.size(); ++end) {
-    const Records piece = records.subspan(begin, end - begin + 1);
-    const double done = turns(records.first(end + 1));
-    if (done < static_cast<double>(pieces.size()) + 1) continue;
-    pieces.push_back(piece);
-    begin = end;
-  }
-  return pieces;
+double margin_of(Motion motion, const Findings& found) {
+  if (motion == Motion::undecided) return 0;
+  if (motion == Motion::transition) return margin_of_transition(found);
+  const double threshold = found.steady || found.settled ? 0 : 1;
+  return std::min(distance_of_r(found.r), from_0_to_1(found.clearance() - threshold));
 }
 
-double theta_range(Records records) {
-  const auto [low, high] =
-      std::ranges::minmax_element(records, {}, [](const Record& record) { return record.theta; });
-  return high->theta - low->theta;
+/// Whether Q keeps its distance from 0 for ever, as far as the last two half-turns tell: an approach to 0 is
+/// slow, of 0.03 a half-turn in an oblate capsule of V = 15 that tumbles seven times and then tank-treads.
+bool keeps_clear(const std::vector<Samples>& half_turns, double required) {
+  constexpr double kAhead = 8;  // half-turns
+  const double last = smallest_distance_to_origin(half_turns[0]);
+  const double before = smallest_distance_to_origin(half_turns[1]);
+  return last - kAhead * std::max(0., before - last) >= required;
 }
 
-/// The records of the last half-turn, which need not begin where one of half_turns does.
-Records last_half_turn(Records records) {
-  size_t begin = records.size() - 1;
-  while (begin > 0 && turns(records.subspan(begin)) < 1) --begin;
-  return records.subspan(begin);
+/// After one half-turn Q must be far from 0, and the half-turn wholly of one kind: otherwise shape and
+/// membrane shift against each other. After two they tell, as seen now and as seen half of a half-turn ago:
+/// an approach to 0 may lie where two half-turns meet.
+bool will_keep_clear(const Findings& found) {
+  constexpr double kFar = 4, kWholly = 0.9;
+  if (found.half_turns.size() < 2) return found.clearance() >= kFar && distance_of_r(found.r) >= kWholly;
+  const size_t since = last_turns(found.run, 0.5).value_or(found.run).size() - 1;
+  const auto earlier = half_turns_from_end(found.run.first(found.run.size() - since));
+  return keeps_clear(found.half_turns, found.required) &&
+         (earlier.size() < 2 || keeps_clear(earlier, found.required));
 }
 
-/// Whether some half-turns were of the shape and others of the membrane, and by how much: the smaller excess
-/// over an equal share. Negative when all are of one kind.
-double difference_in_kind(Records records) {
-  double most = 0, least = 1;
-  for (const Records& piece : half_turns(records)) {
-    const double share = shape_turns(piece) / turns(piece);
-    most = std::max(most, share);
-    least = std::min(least, share);
-  }
-  return std::min(most - 0.5, 0.5 - least);
+bool is_certain(Motion motion, const Findings& found) {
+  constexpr double kClearOfR = 0.5;
+  if (found.steady) return true;
+  if (motion != Motion::tumbling && motion != Motion::tank_treading) return false;
+  return distance_of_r(found.r) >= kClearOfR && found.clearance() >= 1 && will_keep_clear(found);
 }
 
-double required_distance(Records records) {
-  const auto largest = std::ranges::max_element(records, {}, &Record::D_xy);
-  return std::min(kClear, largest->D_xy / 2);
-}
-
-Evidence gather(Records records) {
+Evidence evidence_of(Motion motion, const Findings& found) {
   Evidence evidence;
-  evidence.n_theta = shape_turns(records);
-  evidence.n_psi = membrane_turns(records);
-  evidence.turns = evidence.n_theta + evidence.n_psi;
-  if (evidence.turns > 0) evidence.r = evidence.n_theta / evidence.turns;
-  evidence.D_min = smallest_distance_to_origin(records);
-  evidence.theta_range = theta_range(last_half_turn(records));
+  evidence.n_theta = shape_turns(found.run);
+  evidence.n_psi = membrane_turns(found.run);
+  evidence.turns = turns(found.run);
+  evidence.r = found.r;
+  evidence.D_min = found.D_min;
+  evidence.theta_range = theta_range(found.half_turns.empty() ? found.run : found.half_turns.front());
+  evidence.margin = margin_of(motion, found);
   return evidence;
 }
 
@@ -122,25 +103,18 @@ std::string_view word(Motion motion) {
   return "undecided";
 }
 
-Verdict classify(const History& history) {
-  const Records records = after_start(history);
-  if (records.empty()) return {};
-  Verdict verdict{Motion::undecided, gather(records), false};
-  Evidence& e = verdict.evidence;
-  if (!(e.turns >= 1)) return verdict;
-
-  const double clearance = e.D_min - required_distance(records);
-  const double mixed_turns = std::min(e.r - kMostlyMembrane, kMostlyShape - e.r);
-  const double mixed_kinds = difference_in_kind(records);
-  if (mixed_turns > 0 || mixed_kinds > 0 || clearance < 0) {
-    verdict.motion = Motion::transition;
-    e.margin = std::max({mixed_turns, mixed_kinds, -clearance});
+Verdict classify(Samples samples) {
+  const std::optional<Findings> found = look_at(samples);
+  Verdict verdict;
+  if (!found) {
+    verdict.explanation = explanation_of_none(samples);
     return verdict;
   }
-  verdict.motion = e.r >= kMostlyShape ? Motion::tumbling : Motion::tank_treading;
-  e.margin = std::min(-mixed_turns, clearance);
-  const bool far_from_round = e.D_min > kClearAfterOneTurn / kClear * required_distance(records);
-  verdict.certain = far_from_round || e.turns >= 2;
+  verdict.motion = motion_of(*found);
+  verdict.evidence = evidence_of(verdict.motion, *found);
+  verdict.certain = is_certain(verdict.motion, *found);
+  verdict.steady = found->steady;
+  verdict.explanation = explanation(verdict.motion, *found);
   return verdict;
 }
 

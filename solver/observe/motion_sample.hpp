@@ -1,5 +1,6 @@
 #pragma once
 // The motion as the steps of a run saw it, to classify it by: whatever is recorded, its samples are the same.
+#include <span>
 #include <vector>
 
 namespace capstan {
@@ -12,6 +13,7 @@ struct MotionSample {
   bool operator==(const MotionSample&) const = default;
 };
 using MotionSamples = std::vector<MotionSample>;
+using Samples = std::span<const MotionSample>;  ///< a part of them, in the order of time
 
 /// Steps that are shorter than this (k dt) are passed over until as much time has gone by.
 inline constexpr double kSampleInterval = 0.02;

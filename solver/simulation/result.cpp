@@ -29,19 +29,29 @@ std::vector<std::string> warnings(const Case& c, const RunStatistics& statistics
   return said;
 }
 
+/// A run that failed on the way has no motion, whatever it did before.
+Verdict verdict_of(const Simulation& simulation, const Outcome& outcome) {
+  Verdict verdict = simulation.verdict();
+  if (has_answer(outcome.stop)) return verdict;
+  verdict.evidence.margin = 0;
+  verdict.explanation = "The run failed before its end: it has no motion.";
+  return verdict;
+}
+
 }  // namespace
 
 nlohmann::ordered_json result_json(const Case& c, const Choices& choices, const Simulation& simulation,
                                    const Outcome& outcome, double seconds) {
   const RunStatistics& statistics = simulation.statistics();
-  const Verdict verdict = classify(simulation.history());
+  const Verdict verdict = verdict_of(simulation, outcome);
   nlohmann::ordered_json result;
   result["format"] = 1;
   result["case"] = to_json(c);
   result["choices"] = to_json(choices);
   result["stop"] = word(outcome.stop);
   result["message"] = outcome.message;
-  result["motion"] = word(verdict.motion);
+  result["motion"] = has_answer(outcome.stop) ? nlohmann::ordered_json(word(verdict.motion)) : nullptr;
+  result["explanation"] = verdict.explanation;
   result["evidence"] = to_json(verdict.evidence);
   if (!simulation.history().empty())
     result["final"] = nlohmann::ordered_json::parse(to_json_line(simulation.history().back()));

@@ -70,6 +70,8 @@ std::string_view word(Stop stop) {
       return "reached_end";
     case Stop::classified:
       return "classified";
+    case Stop::steady:
+      return "steady";
     case Stop::diverged:
       return "diverged";
     case Stop::not_converged:

@@ -35,7 +35,8 @@ std::optional<Outcome> Simulation::step() {
   const VelocityField field = [this](double at, const Points& x, Points& u) { return solve_flow(at, x, u); };
   const double end = flow_->imposed_time_step() ? std::numeric_limits<double>::infinity() : case_.until.kt;
   before_ = now_;
-  const StepReport step = stepper_->advance(field, before_.kt, end, before_.velocities, now_.positions);  // eqs. 37, 38
+  const StepReport step =
+      stepper_->advance(field, before_.kt, end, before_.velocities, now_.positions);  // eqs. 37, 38
   now_.kt = step.kt;
   if (auto outcome = failure(step.flow)) return outcome;
   note(step.flow);
@@ -145,8 +146,7 @@ void Simulation::observe() {
   if (!is_due && now_.kt < case_.until.kt) return;
   const Record seen = tracker_.observe(now_.kt, now_.positions);
   samples_.push_back({seen.kt, seen.D_xy, seen.theta, seen.psi});
-  statistics_.volume_drift =
-      std::max(statistics_.volume_drift, std::abs(seen.volume / initial_volume_ - 1));
+  statistics_.volume_drift = std::max(statistics_.volume_drift, std::abs(seen.volume / initial_volume_ - 1));
   statistics_.area_drift = std::max(statistics_.area_drift, std::abs(seen.area / initial_area_ - 1));
 }
 
@@ -154,7 +154,10 @@ void Simulation::observe() {
 std::optional<Outcome> Simulation::finished() const {
   if (now_.kt >= case_.until.kt) return Outcome{Stop::reached_end};
   const bool has_new_record = history_.back().kt > before_.kt;
-  if (case_.until.classified && has_new_record && classify(history_).certain) return Outcome{Stop::classified};
+  if (!case_.until.classified || !has_new_record) return std::nullopt;
+  const Verdict now = verdict();
+  if (now.steady) return Outcome{Stop::steady};
+  if (now.certain) return Outcome{Stop::classified};
   return std::nullopt;
 }
 

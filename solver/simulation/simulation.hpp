@@ -19,8 +19,20 @@
 
 namespace capstan {
 
-enum class Stop { reached_end, classified, diverged, not_converged, interrupted };
+enum class Stop {
+  reached_end,
+  classified,  ///< early: more time would not change the label
+  steady,      ///< early: the shape does not change any more
+  diverged,
+  not_converged,
+  interrupted,
+};
 std::string_view word(Stop stop);
+
+/// Whether the run came to a motion.
+constexpr bool has_answer(Stop stop) {
+  return stop == Stop::reached_end || stop == Stop::classified || stop == Stop::steady;
+}
 
 /// How a run ended. A numerical failure is an outcome, not an exception.
 struct Outcome {
@@ -41,8 +53,8 @@ class Simulation {
  public:
   explicit Simulation(const Case& c);
 
-  /// The paper's algorithm, to the end or until `output` asks for an interruption. Its steps do not depend on what
-  /// is asked for: records and shapes between two steps are interpolated.
+  /// The paper's algorithm, to the end or until `output` asks for an interruption. Its steps do not depend on
+  /// what is asked for: records and shapes between two steps are interpolated.
   Outcome run(RunOutput& output);
 
   /// Continues from a checkpoint that run() wrote; the outcome is that of the uninterrupted run to the last
@@ -53,6 +65,7 @@ class Simulation {
   double kt() const { return now_.kt; }
   const History& history() const { return history_; }
   const MotionSamples& samples() const { return samples_; }
+  Verdict verdict() const { return classify(samples_); }
   const RunStatistics& statistics() const { return statistics_; }
 
  private:

@@ -119,7 +119,9 @@ TEST(Result, HoldsTheLastRecordTheCostAndTheReasonOfAFailure) {
   const auto result = result_of(stiff_case(1));
   EXPECT_EQ(result["stop"], "diverged");
   EXPECT_THAT(result["message"].get<std::string>(), StartsWith("at kt = "));
-  EXPECT_EQ(result["motion"], "undecided");
+  EXPECT_TRUE(result["motion"].is_null());
+  EXPECT_EQ(result["evidence"]["margin"], 0);
+  EXPECT_THAT(result["explanation"].get<std::string>(), HasSubstr("no motion"));
   EXPECT_TRUE(result["final"].contains("D_xy"));
   EXPECT_EQ(result["cost"]["seconds"], 1.25);
 }

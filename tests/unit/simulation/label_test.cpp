@@ -1,0 +1,76 @@
+// The label of whole runs, and their early end.
+#include <gtest/gtest.h>
+
+#include "solver/simulation/simulation.hpp"
+#include "tests/support/memory_output.hpp"
+#include "tests/support/parsed_case.hpp"
+
+namespace capstan {
+namespace {
+
+struct Ended {
+  Stop stop;
+  double kt;
+  Verdict verdict;
+};
+
+/// In Stokes flow with 162 nodes.
+/// \param parameters of the case, JSON without its braces   \param until, outputs  their JSON
+Ended run(const std::string& parameters, const std::string& until, const std::string& outputs = "{}") {
+  Simulation simulation(testing::parsed_case(R"({"fluid": "stokes", )" + parameters + R"(, "until": )" + until +
+                                             R"(, "outputs": )" + outputs + R"(, "fidelity": {"nodes": 162}})"));
+  testing::MemoryOutput output;
+  const Stop stop = simulation.run(output).stop;
+  return {stop, simulation.kt(), simulation.verdict()};
+}
+
+TEST(EarlyEnd, ASteadySphereEndsSteadyAndTankTreads) {
+  const Ended sphere = run(R"("Ca": 0.05)", R"({"kt": 30, "classified": true})");
+  EXPECT_EQ(sphere.stop, Stop::steady);
+  EXPECT_LT(sphere.kt, 9);
+  EXPECT_EQ(sphere.verdict.motion, Motion::tank_treading);
+}
+
+TEST(EarlyEnd, ASteadySphereRunsToItsEndWhereNoEarlyEndIsAllowed) {
+  const Ended sphere = run(R"("Ca": 0.05)", R"({"kt": 10})");
+  EXPECT_EQ(sphere.stop, Stop::reached_end);
+  EXPECT_DOUBLE_EQ(sphere.kt, 10);
+}
+
+TEST(EarlyEnd, ATumblingSpheroidEndsClassified) {
+  const std::string spheroid = R"("shape": "oblate", "aspect": 0.5, "Ca": 0.0094, "E_b": 0.005)";
+  const Ended early = run(spheroid, R"({"kt": 30, "classified": true})");
+  EXPECT_EQ(early.stop, Stop::classified);
+  EXPECT_LT(early.kt, 15);
+  EXPECT_EQ(early.verdict.motion, Motion::tumbling);
+}
+
+TEST(Label, OfASphereThatIsThickInsideIsTankTreadingThoughItSwingsNearRoundAtFirst) {
+  EXPECT_EQ(run(R"("Ca": 0.1, "V": 20)", R"({"kt": 28})").verdict.motion, Motion::tank_treading);
+}
+
+TEST(Label, OfANearlyRoundProlateIsTankTreading) {
+  const Ended prolate = run(R"("shape": "prolate", "aspect": 1.07, "Ca": 0.0094)", R"({"kt": 25})");
+  EXPECT_EQ(prolate.verdict.motion, Motion::tank_treading);
+}
+
+TEST(Label, AndItsEvidenceDoNotDependOnWhatIsRecorded) {
+  const std::string cell = R"("shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.25, "V": 4)";
+  const Evidence often = run(cell, R"({"kt": 17})", R"({"history_every": 0.1})").verdict.evidence;
+  for (const char* outputs : {R"({"history_every": 1})", R"({"history_every": 0.33, "shapes_every": 0.7})"}) {
+    const Evidence seldom = run(cell, R"({"kt": 17})", outputs).verdict.evidence;
+    EXPECT_EQ(often.D_min, seldom.D_min) << outputs;
+    EXPECT_EQ(often.r, seldom.r) << outputs;
+    EXPECT_EQ(often.margin, seldom.margin) << outputs;
+  }
+}
+
+TEST(Label, OfARunTooShortSaysSo) {
+  const Verdict verdict = run(R"("Ca": 0.05)", R"({"kt": 4})").verdict;
+  EXPECT_EQ(verdict.motion, Motion::undecided);
+  EXPECT_NE(verdict.explanation.find("half-turns were seen from kt = 3 on, at least 1 is needed"), std::string::npos)
+      << verdict.explanation;
+}
+
+}  // namespace
+}  // namespace capstan
