@@ -5,6 +5,7 @@
 #include <random>
 
 #include "runner/queue/fail_point.hpp"
+#include "runner/queue/points.hpp"
 #include "runner/queue/replacement.hpp"
 #include "solver/case/content_id.hpp"
 
@@ -31,16 +32,6 @@ std::string new_token() {
   return token;
 }
 
-nlohmann::json listed(const std::vector<Axis>& axes) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const Axis& axis : axes) {
-    nlohmann::json values = nlohmann::json::array();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(axis.size()); ++i) values.push_back(axis.value(i));
-    list.push_back({{"parameter", axis.parameter()}, {"values", values}});
-  }
-  return list;
-}
-
 Claim read_claim(const Statement& row) {
   return {row.text(0), row.text(1), row.text(2), static_cast<int>(row.integer(3)), row.text(4)};
 }
@@ -59,11 +50,11 @@ Submission JobQueue::submit(const Study& study, const std::string& key) {
   submission.study_id = submission.is_new ? study_id_for(study, hash) : known.text(0);
   if (submission.is_new) {
     database_.execute(
-        "INSERT INTO studies (id, name, description, document, document_hash, axes, submitted_at)"
-        " VALUES (?, ?, ?, ?, ?, ?, ?)",
+        "INSERT INTO studies (id, name, description, document, document_hash, axes, notes, submitted_at)"
+        " VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
         submission.study_id, study.name, study.description, document, identity, listed(study.axes).dump(),
-        clock_.now());
-    add_cases(submission.study_id, study);
+        nlohmann::json(study.notes).dump(), clock_.now());
+    add_points(submission.study_id, study);
   } else {
     database_.execute("UPDATE studies SET cancelled_at = NULL WHERE id = ?", submission.study_id);
   }
@@ -91,11 +82,12 @@ void JobQueue::remember(const std::string& key, const std::string& document_hash
     throw KeyReused("the key \"" + key + "\" came with another study before");
 }
 
-void JobQueue::add_cases(const std::string& study_id, const Study& study) {
-  int position = 0;
-  for (const Case& c : study.cases)
-    database_.execute("INSERT INTO study_cases (study_id, position, case_id) VALUES (?, ?, ?)", study_id,
-                      position++, add_case(database_, c));
+void JobQueue::add_points(const std::string& study_id, const Study& study) {
+  std::vector<std::string> ids;
+  for (const Case& c : study.cases) ids.push_back(add_case(database_, c));
+  for (std::size_t point = 0; point < study.points.size(); ++point)
+    add_point(database_, {study_id, static_cast<std::int64_t>(point), ids[study.points[point]],
+                          study.asked_at(point).dump(), ""});
 }
 
 /// Those that were cancelled, or are about to be, are wanted again.

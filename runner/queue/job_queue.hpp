@@ -98,7 +98,7 @@ class JobQueue {
  private:
   std::string study_id_for(const Study& study, const std::string& hash);
   void remember(const std::string& key, const std::string& document_hash);
-  void add_cases(const std::string& study_id, const Study& study);
+  void add_points(const std::string& study_id, const Study& study);
   void want_cases(const std::string& study_id);
   bool end_attempt(const Claim& claim, std::string_view ending, const std::string& reason);
 

@@ -1,7 +1,9 @@
 #include "runner/queue/replacement.hpp"
 
+#include <utility>
 #include <vector>
 
+#include "runner/queue/points.hpp"
 #include "solver/case/content_id.hpp"
 #include "solver/case/run_cost.hpp"
 
@@ -19,17 +21,6 @@ std::vector<Stored> read_cases(Statement row) {
   return cases;
 }
 
-/// The positions at which the case stands, in the study, or in all if it is "".
-std::vector<std::pair<std::string, std::int64_t>> places_of(Database& database, const std::string& case_id,
-                                                            const std::string& study_id) {
-  std::vector<std::pair<std::string, std::int64_t>> places;
-  Statement row = database.query(
-      "SELECT study_id, position FROM study_cases WHERE case_id = ?1 AND (study_id = ?2 OR ?2 = '')", case_id,
-      study_id);
-  while (row.step()) places.emplace_back(row.text(0), row.integer(1));
-  return places;
-}
-
 /// A case as an earlier version has stored it: some of its keys may have no effect today.
 ParsedCase parse_stored_case(nlohmann::json document) {
   drop_keys_without_effect(document);
@@ -40,9 +31,10 @@ void replace(Database& database, const std::string& old_id, const Case& by,
              const std::string& study_id = "") {
   const std::string id = add_case(database, by);
   if (id == old_id) return;
-  for (const auto& [study, position] : places_of(database, old_id, study_id)) {
-    database.execute("DELETE FROM study_cases WHERE study_id = ? AND position = ?", study, position);
-    database.execute("INSERT INTO study_cases VALUES (?, ?, ?, ?)", study, position, id, old_id);
+  for (Point& point : points_of_case(database, old_id, study_id)) {
+    remove_point(database, point);
+    point.replaces = std::exchange(point.case_id, id);
+    add_point(database, point);
   }
 }
 

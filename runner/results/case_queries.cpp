@@ -1,21 +1,31 @@
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <iterator>
 
 #include "runner/results/history.hpp"
 #include "runner/results/queries.hpp"
 #include "runner/results/timestamp.hpp"
+#include "runner/results/typed_value.hpp"
+#include "runner/study/axis.hpp"
 
 namespace capstan {
 namespace {
 
+using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* kColumns =
     "SELECT c.id, c.state, c.message, c.document, c.kt, c.attempt, c.crashes, r.motion, r.document";
 constexpr const char* kTables = " FROM cases c LEFT JOIN results r ON r.case_id = c.id ";
-constexpr int kPosition = 9, kReplaces = 10;  // after the columns, where a study is asked for
+
+/// After them, where a study is asked for, what concerns the point. CROSS JOIN keeps the order of the tables: along
+/// the study, so that a page costs what it holds.
+constexpr const char* kOfPoint =
+    ", s.position, s.replaces, s.asked,"
+    " (SELECT min(position) FROM study_cases f WHERE f.case_id = s.case_id AND f.study_id = s.study_id)"
+    " FROM study_cases s CROSS JOIN cases c ON c.id = s.case_id LEFT JOIN results r ON r.case_id = c.id"
+    " WHERE s.study_id = ? AND s.position > ? AND c.state = ifnull(nullif(?, ''), c.state)"
+    " AND ifnull(r.motion, '') = ifnull(nullif(?, ''), ifnull(r.motion, '')) ORDER BY s.position";
+constexpr int kDocument = 3, kPosition = 9, kReplaces = 10, kAsked = 11, kFirst = 12;
 
 bool is_ended(const std::string& state) { return state != "queued" && state != "running"; }
 
@@ -41,32 +51,78 @@ ordered_json case_of(const Statement& row) {
   return shown;
 }
 
-std::optional<double> number_in(const std::string& text) {
-  double number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-/// SQL for one condition; its values are the next two parameters.
-std::string condition_on(const std::string& key, const std::string& value) {
-  if (key == "state") return " AND c.state IN (?, ?)";
-  if (key == "motion") return " AND r.motion IN (?, ?)";
-  const std::string parameter =
-      "json_extract(c.document, '$." + key + "')";  // key is one of scalar_parameters()
-  return number_in(value) ? " AND " + parameter + " BETWEEN ? AND ?" : " AND " + parameter + " IN (?, ?)";
-}
-
-/// Numbers are equal when they agree to nine digits: nobody types more.
-void bind_condition(Statement& statement, int index, const std::string& value) {
-  if (const auto number = number_in(value)) {
-    const double margin = 1e-9 * std::abs(*number);
-    statement.bind(index, *number - margin);
-    statement.bind(index + 1, *number + margin);
-  } else {
-    statement.bind(index, value);
-    statement.bind(index + 1, value);
+/// Keys that were asked for at the point and that its case does not have.
+ordered_json keys_without_effect(const json& asked, const ordered_json& parameters) {
+  ordered_json keys = ordered_json::array();
+  for (const auto& [key, value] : asked.items()) {
+    if (!parameters.contains(key)) keys.push_back(key);
+    if (key != "fidelity" || !value.is_object()) continue;
+    for (const auto& [knob, setting] : value.items())
+      if (knob != "preset" && !parameters[key].contains(knob)) keys.push_back(key + "." + knob);
   }
+  return keys;
+}
+
+ordered_json point_of(const Statement& row) {
+  ordered_json shown = {{"point", row.integer(kPosition) + 1}};
+  const json asked = json::parse(row.text(kAsked));
+  shown.update(case_of(row));
+  if (row.integer(kFirst) < row.integer(kPosition)) shown["same_as"] = row.integer(kFirst) + 1;
+  if (!row.is_null(kReplaces)) shown["replaces"] = row.text(kReplaces);
+  shown["asked"] = asked;
+  if (ordered_json keys = keys_without_effect(asked, shown["parameters"]); !keys.empty())
+    shown["without_effect"] = std::move(keys);
+  return shown;
+}
+
+/// The value that the filter wants of state or motion, or "".
+std::string wanted_word(const CaseFilter& filter, const std::string& key) {
+  const auto found = std::find_if(filter.begin(), filter.end(), [&](const auto& each) { return each.first == key; });
+  return found == filter.end() ? "" : found->second;
+}
+
+/// The conditions of a filter on the parameters of one study's points.
+class ParameterFilter {
+ public:
+  ParameterFilter(const CaseFilter& filter, const json& axes) {
+    for (const auto& [key, value] : filter)
+      if (key != "state" && key != "motion") add(key, value, axes);
+  }
+
+  bool lets_pass(const Statement& row) const {
+    if (parameters_.empty()) return true;
+    const json asked = json::parse(row.text(kAsked));
+    const auto is_met = [&](const Parameter& condition) {
+      if (condition.is_axis) return condition.value && asked.value(condition.key, json()) == *condition.value;
+      if (asked.contains(condition.key) && means(condition.text, asked[condition.key])) return true;
+      return means(condition.text, json::parse(row.text(kDocument)).value(condition.key, json()));
+    };
+    return std::all_of(parameters_.begin(), parameters_.end(), is_met);
+  }
+
+ private:
+  struct Parameter {
+    std::string key, text;
+    bool is_axis = false;
+    std::optional<json> value;  ///< of the axis; nothing if it has no such value
+  };
+
+  void add(const std::string& key, const std::string& text, const json& axes) {
+    Parameter& condition = parameters_.emplace_back(Parameter{key, text, false, std::nullopt});
+    for (const json& axis : axes) {
+      if (axis["parameter"] != key) continue;
+      const std::vector<json> values = axis["values"];
+      condition.is_axis = true;
+      if (const auto place = find_typed(values, text)) condition.value = values[*place];
+    }
+  }
+
+  std::vector<Parameter> parameters_;
+};
+
+json axes_of(Database& database, const std::string& study_id) {
+  Statement row = database.query("SELECT axes FROM studies WHERE id = ?", study_id);
+  return row.step() ? json::parse(row.text(0)) : json::array();
 }
 
 ordered_json attempts_of(Database& database, const std::string& case_id) {
@@ -95,41 +151,29 @@ ordered_json studies_of(Database& database, const std::string& case_id) {
 
 Page find_cases(Database& database, const std::string& study_id, const CaseFilter& filter,
                 const PageRequest& wanted) {
-  // CROSS JOIN keeps the order of the tables: along the study, so that a page costs what it holds.
-  std::string sql = std::string(kColumns) +
-                    ", s.position, s.replaces FROM study_cases s CROSS JOIN cases c ON c.id = s.case_id"
-                    " LEFT JOIN results r ON r.case_id = c.id WHERE s.study_id = ? AND s.position > ?";
-  for (const auto& [key, value] : filter) sql += condition_on(key, value);
-  Statement row = database.query(sql + " ORDER BY s.position LIMIT " + std::to_string(wanted.limit + 1),
-                                 study_id, wanted.after.value_or(-1));
-  int index = 3;
-  for (const auto& [key, value] : filter) {
-    bind_condition(row, index, value);
-    index += 2;
-  }
+  const ParameterFilter parameters(filter, axes_of(database, study_id));
+  Statement row = database.query(std::string(kColumns) + kOfPoint, study_id, wanted.after.value_or(-1),
+                                 wanted_word(filter, "state"), wanted_word(filter, "motion"));
   Page page{ordered_json::array(), std::nullopt};
-  for (std::int64_t last = 0; row.step(); last = row.integer(kPosition)) {
+  for (std::int64_t last = 0; row.step();) {
+    if (!parameters.lets_pass(row)) continue;
     if (std::ssize(page.items) == wanted.limit) {
       page.next = last;
       break;
     }
-    page.items.push_back(case_of(row));
-    if (!row.is_null(kReplaces)) page.items.back()["replaces"] = row.text(kReplaces);
+    page.items.push_back(point_of(row));
+    last = row.integer(kPosition);
   }
   return page;
 }
 
-ordered_json find_points(Database& database, const std::string& study_id) {
-  ordered_json points = ordered_json::array();
+std::vector<PointMotion> find_points(Database& database, const std::string& study_id) {
+  std::vector<PointMotion> points;
   Statement row = database.query(
-      "SELECT c.id, c.state, r.motion, c.document FROM study_cases s JOIN cases c ON c.id = s.case_id"
+      "SELECT c.id, c.state, r.motion, s.asked FROM study_cases s JOIN cases c ON c.id = s.case_id"
       " LEFT JOIN results r ON r.case_id = c.id WHERE s.study_id = ? ORDER BY s.position",
       study_id);
-  while (row.step())
-    points.push_back({{"id", row.text(0)},
-                      {"state", row.text(1)},
-                      {"motion", row.is_null(2) ? ordered_json() : ordered_json(row.text(2))},
-                      {"parameters", ordered_json::parse(row.text(3))}});
+  while (row.step()) points.push_back({row.text(0), row.text(1), row.text(2), json::parse(row.text(3))});
   return points;
 }
 

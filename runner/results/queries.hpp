@@ -27,19 +27,26 @@ struct Page {
 /// The studies, the newest first.
 Page list_studies(Database& database, const PageRequest& wanted);
 
-/// One study: its axes, how many cases are in which state and of which motion, and its progress from 0 to 1.
+/// One study: its axes, the number of its points, how many of its distinct cases are in which state and how many
+/// of its points are of which motion, and its progress from 0 to 1.
 std::optional<nlohmann::ordered_json> find_study(Database& database, const std::string& study_id);
 
-/// Conditions on cases, all to be met: {"motion", "tumbling"}, {"state", "done"}, or a parameter and its
-/// value.
+/// Conditions on points, all to be met: {"motion", "tumbling"}, {"state", "done"}, or a parameter and its value:
+/// what was asked for, where the parameter is an axis; else what the case has, or the base's word for it.
 using CaseFilter = std::vector<std::pair<std::string, std::string>>;
 
-/// The cases of a study, in the study's order. The filter has been checked.
+/// The points of a study with their cases, in the study's order. The filter has been checked.
 Page find_cases(Database& database, const std::string& study_id, const CaseFilter& filter,
                 const PageRequest& wanted);
 
-/// What a phase diagram needs of all cases of a study: `id`, `state`, `motion`, `parameters`.
-nlohmann::ordered_json find_points(Database& database, const std::string& study_id);
+/// What a phase diagram needs to know of a point.
+struct PointMotion {
+  std::string case_id;
+  std::string state;
+  std::string motion;  ///< "" before there is an answer
+  nlohmann::json asked;
+};
+std::vector<PointMotion> find_points(Database& database, const std::string& study_id);
 
 /// One case: parameters, state, motion, evidence and the rest of its result, its attempts and its studies.
 std::optional<nlohmann::ordered_json> find_case(Database& database, const std::string& case_id);

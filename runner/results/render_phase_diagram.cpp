@@ -46,7 +46,7 @@ std::string centred(const std::string& text, std::size_t width) {
 
 std::size_t widest(const PhaseAxis& axis) {
   std::size_t width = 0;
-  for (const nlohmann::ordered_json& value : axis.values) width = std::max(width, plain(value).size());
+  for (const nlohmann::json& value : axis.values) width = std::max(width, plain(value).size());
   return width;
 }
 
@@ -61,6 +61,13 @@ std::string legend(const PhaseDiagram& diagram, bool coloured) {
       lines += painted(centred(mark.text, 4), mark, coloured) + "  " + mark.meaning + "\n";
   }
   return lines;
+}
+
+/// "at E_b = 0.015", one line an axis that is not drawn.
+std::string fixed_text(const PhaseDiagram& diagram) {
+  std::string text;
+  for (const auto& [parameter, value] : diagram.at) text += "at " + parameter + " = " + plain(value) + "\n";
+  return text.empty() ? text : text + "\n";
 }
 
 /// One row of cells, with its y value in front.
@@ -84,8 +91,8 @@ std::string render(const PhaseDiagram& diagram, bool coloured) {
     text += row_text(diagram, row, margin, cell, coloured);
   text += std::string(margin, ' ') + " +" + std::string(cell * diagram.x.values.size(), '-') + "\n";
   text += std::string(margin + 2, ' ');
-  for (const nlohmann::ordered_json& value : diagram.x.values) text += centred(plain(value), cell);
-  return text + "  " + diagram.x.parameter + "\n\n" + legend(diagram, coloured);
+  for (const nlohmann::json& value : diagram.x.values) text += centred(plain(value), cell);
+  return text + "  " + diagram.x.parameter + "\n\n" + fixed_text(diagram) + legend(diagram, coloured);
 }
 
 }  // namespace capstan

@@ -19,9 +19,9 @@ constexpr const char* kMotions[] = {"tumbling", "tank_treading", "transition", "
 constexpr const char* kColumns =
     "SELECT s.id, name, description, submitted_at, cancelled_at, axes, priority, is_paused,"
     " queued, running, done, failed, diverged, cancelled, tumbling, tank_treading, transition, undecided,"
-    " s.number, cost_total, cost_ended FROM studies s JOIN schedule USING (number) ";
+    " s.number, cost_total, cost_ended, points, notes FROM studies s JOIN schedule USING (number) ";
 constexpr int kFirstCount = 8;
-constexpr int kNumber = 18, kCostTotal = 19, kCostEnded = 20;
+constexpr int kNumber = 18, kCostTotal = 19, kCostEnded = 20, kPoints = 21, kNotes = 22;
 
 /// Number of the study's cases by state, all states listed.
 ordered_json count_states(const Statement& row) {
@@ -47,7 +47,7 @@ ordered_json count_motions(const Statement& row) {
 double cost_begun(Database& database, const std::string& study_id) {
   Statement row = database.query(
       "SELECT total(cost * min(1, kt / json_extract(document, '$.until.kt'))"
-      " * (SELECT count(*) FROM study_cases w WHERE w.case_id = c.id AND w.study_id = ?))"
+      " * EXISTS (SELECT 1 FROM study_cases w WHERE w.case_id = c.id AND w.study_id = ?))"
       " FROM cases c INDEXED BY cases_begun WHERE kt > 0 AND state IN ('queued', 'running')",
       study_id);
   row.step();
@@ -72,6 +72,8 @@ ordered_json study_of(Database& database, const Statement& row) {
   study["paused"] = row.integer(7) != 0;
   study["priority"] = row.integer(6);
   study["axes"] = ordered_json::parse(row.text(5));
+  study["notes"] = ordered_json::parse(row.text(kNotes));
+  study["points"] = row.integer(kPoints);
   study["cases"] = count_states(row);
   study["motions"] = count_motions(row);
   study["progress"] = progress(database, id, row);

@@ -19,7 +19,7 @@ void add_reason_of_study(Database& database, const Statement& study, std::size_t
   if (study.integer(1) != 0) return reasons.push_back(id + " is cancelled");
   if (study.integer(2) != 0) return reasons.push_back(id + " is paused: capstan resume " + study.text(0));
   const auto ahead =
-      number(database.query("SELECT count(*) FROM waiting WHERE study_number = ? AND position < ?",
+      number(database.query("SELECT count(DISTINCT case_id) FROM waiting WHERE study_number = ? AND position < ?",
                             study.integer(3), study.integer(4)));
   const auto others = number(database.query(
       "SELECT count(*) FROM schedule WHERE queued > 0 AND is_paused = 0 AND number <> ?1 AND priority >="
@@ -37,8 +37,8 @@ ordered_json why_queued(Database& database, const std::string& case_id, const st
   if (!message.empty()) reasons.push_back(message);
   if (not_before > 0) reasons.push_back("not tried again before " + timestamp(not_before));
   Statement study = database.query(
-      "SELECT s.id, s.cancelled_at IS NOT NULL, is_paused, s.number, position FROM study_cases w"
-      " JOIN studies s ON s.id = w.study_id JOIN schedule USING (number) WHERE w.case_id = ?",
+      "SELECT s.id, s.cancelled_at IS NOT NULL, is_paused, s.number, min(position) FROM study_cases w"
+      " JOIN studies s ON s.id = w.study_id JOIN schedule USING (number) WHERE w.case_id = ? GROUP BY s.id",
       case_id);
   while (study.step()) add_reason_of_study(database, study, cores, reasons);
   return reasons;

@@ -4,6 +4,7 @@
 
 #include "runner/execute/exit_code.hpp"
 #include "runner/queue/fail_point.hpp"
+#include "runner/queue/points.hpp"
 #include "runner/queue/replacement.hpp"
 #include "runner/results/result.hpp"
 #include "runner/service/orphans.hpp"
@@ -36,6 +37,7 @@ void Service::take_over() {
     directory.remove_partial_files();
     record(claim, outcome_of(RunEnd{}, directory));
   }
+  derive_old_points(database_);
   price_cases(database_);
   replace_outdated(database_);
   for (const RunDirectory& orphan : orphans_in(data_.runs(), database_))

@@ -1,20 +1,48 @@
 #include "runner/study/axis.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 namespace capstan {
 namespace {
 
 using nlohmann::json;
 
-double rounded_to_six_digits(double number) {
+constexpr int kFewestDigits = 6, kMostDigits = 15;  // a double holds 15 decimal digits
+
+double rounded(double number, int digits) {
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.begin(), text.end(), number, std::chars_format::scientific, 5).ptr;
-  double rounded = number;
-  std::from_chars(text.begin(), end, rounded);
-  return rounded;
+  const auto end = std::to_chars(text.begin(), text.end(), number, std::chars_format::scientific, digits - 1).ptr;
+  double result = number;
+  std::from_chars(text.begin(), end, result);
+  return result;
+}
+
+/// Rounding to d digits moves a value by at most 0.5 * 10^(1-d) of itself; both neighbours together by less than a
+/// tenth of their distance.
+double digits_for(double relative_spacing) { return std::ceil(1 + std::log10(10 / relative_spacing)); }
+
+/// -0.0 is 0.
+json without_sign_of_zero(const json& value) { return value.is_number_float() && value == 0.0 ? json(0.0) : value; }
+
+AxisList listed_once(const json& given) {
+  AxisList list;
+  std::map<json, bool> is_repeated;  // 4 and 4.0 are equal keys
+  for (std::size_t place = 0; place < given.size(); ++place) {
+    const json value = without_sign_of_zero(given[place]);
+    const auto [known, is_new] = is_repeated.emplace(value, false);
+    if (is_new) {
+      list.values.push_back(value);
+      list.places.push_back(place);
+    } else if (!known->second) {
+      known->second = true;
+      list.repeated.push_back(value);
+    }
+  }
+  return list;
 }
 
 /// Reads one range; its faults gather in `issues`.
@@ -31,6 +59,7 @@ class RangeReader {
     if (range.logarithmic)
       for (const auto& [key, end] : {std::pair{"from", range.from}, std::pair{"to", range.to}})
         require(end > 0, key, "must be > 0 on a logarithmic scale");
+    if (issues_.empty()) require_distance(range);
     for (const auto& [key, value] : object_.items())
       require(key == "from" || key == "to" || key == "count" || key == "scale", key, "unknown key");
     return range;
@@ -43,11 +72,18 @@ class RangeReader {
     if (!good && !known) issues_.push_back({place, message});
   }
 
+  void require_distance(const AxisRange& range) {
+    if (range.from == range.to)
+      issues_.push_back({pointer_, "from and to are the same number: give a list of one value"});
+    else if (!(digits_for(range.relative_spacing()) <= kMostDigits))
+      issues_.push_back({pointer_, "the values lie too close together: 15 digits do not tell them apart"});
+  }
+
   double number(const char* key) {
     const auto found = object_.find(key);
     const bool good = found != object_.end() && found->is_number() && std::isfinite(found->get<double>());
     require(good, key, found == object_.end() ? "is missing" : "must be a number");
-    return good ? found->get<double>() : 2;  // any value that brings no second fault
+    return good ? found->get<double>() + 0.0 : 2;  // any value that brings no second fault
   }
 
   void read_scale(AxisRange& range) {
@@ -63,34 +99,48 @@ class RangeReader {
 
 }  // namespace
 
+double AxisRange::relative_spacing() const {
+  const double last = count - 1;
+  if (logarithmic) return std::abs(std::pow(to / from, 1 / last) - 1);
+  return std::abs(to / last - from / last) / std::max(std::abs(from), std::abs(to));
+}
+
 double AxisRange::value(std::size_t index) const {
   if (index == 0) return from;
   const double last = count - 1;
   if (static_cast<double>(index) == last) return to;
   const double fraction = static_cast<double>(index) / last;
-  return rounded_to_six_digits(logarithmic ? from * std::pow(to / from, fraction)
-                                           : from + (to - from) * fraction);
+  const double exact = logarithmic ? from * std::pow(to / from, fraction) : from + (to - from) * fraction;
+  const bool is_rounding_error = !logarithmic && std::abs(exact) < 1e-9 * std::abs(to - from) / last;
+  if (is_rounding_error) return 0;
+  const double digits = std::max<double>(kFewestDigits, digits_for(relative_spacing()));
+  return rounded(exact, static_cast<int>(digits));
 }
 
 double Axis::size() const {
   if (const auto* range = std::get_if<AxisRange>(&values_)) return range->count;
-  return static_cast<double>(std::get<std::vector<json>>(values_).size());
+  return static_cast<double>(std::get<AxisList>(values_).values.size());
 }
 
 json Axis::value(std::size_t index) const {
   if (const auto* range = std::get_if<AxisRange>(&values_)) return range->value(index);
-  return std::get<std::vector<json>>(values_)[index];
+  return std::get<AxisList>(values_).values[index];
+}
+
+std::vector<json> Axis::repeated() const {
+  const auto* list = std::get_if<AxisList>(&values_);
+  return list ? list->repeated : std::vector<json>();
 }
 
 std::string Axis::pointer(std::size_t index, const std::string& inner) const {
   const std::string place = "/axes/" + parameter_;
-  return std::holds_alternative<AxisRange>(values_) ? place : place + "/" + std::to_string(index) + inner;
+  const auto* list = std::get_if<AxisList>(&values_);
+  return list ? place + "/" + std::to_string(list->places[index]) + inner : place;
 }
 
 std::optional<Axis> read_axis(const std::string& parameter, const json& given, Issues& issues) {
   const std::string pointer = "/axes/" + parameter;
-  if (given.is_array() && !given.empty())
-    return Axis(parameter, std::vector<json>(given.begin(), given.end()));
+  if (given.is_array() && !given.empty()) return Axis(parameter, listed_once(given));
   if (given.is_object()) {
     Issues faults;
     const AxisRange range = RangeReader(given, pointer, faults).read();

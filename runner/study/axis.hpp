@@ -17,19 +17,31 @@ struct AxisRange {
   double count = 0;  ///< whole and at least 2, but not yet known to be small
   bool logarithmic = false;
 
-  /// Between the ends rounded to six digits, so that a value can be typed in a filter.
+  /// Between the ends rounded, so that a value can be typed in a filter: to six digits, or to as many as keep
+  /// the distance between neighbours to a tenth.
   double value(std::size_t index) const;
+
+  /// Distance between neighbours over the largest value.
+  double relative_spacing() const;
+};
+
+/// The values of a list, each once.
+struct AxisList {
+  std::vector<nlohmann::json> values;
+  std::vector<std::size_t> places;       ///< where each value stands first in the study's list
+  std::vector<nlohmann::json> repeated;  ///< the values that stand there more than once
 };
 
 class Axis {
  public:
-  Axis(std::string parameter, std::vector<nlohmann::json> list)
-      : parameter_(std::move(parameter)), values_(std::move(list)) {}
+  Axis(std::string parameter, AxisList list) : parameter_(std::move(parameter)), values_(std::move(list)) {}
   Axis(std::string parameter, AxisRange range) : parameter_(std::move(parameter)), values_(range) {}
 
   const std::string& parameter() const { return parameter_; }
   double size() const;
   nlohmann::json value(std::size_t index) const;
+  bool is_list() const { return std::holds_alternative<AxisList>(values_); }
+  std::vector<nlohmann::json> repeated() const;
 
   /// Where (a part of) the value stands in the study: "/axes/Ca/2" in a list, "/axes/Ca" in a range.
   /// \param inner  pointer into the value, for one that is an object
@@ -37,7 +49,7 @@ class Axis {
 
  private:
   std::string parameter_;
-  std::variant<std::vector<nlohmann::json>, AxisRange> values_;
+  std::variant<AxisList, AxisRange> values_;
 };
 
 /// Reads what stands at /axes/Ca: a list, or {"from", "to", "count", "scale"}. Nothing after a fault. What a

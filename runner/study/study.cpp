@@ -5,9 +5,13 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <set>
 
+#include "runner/study/dropped_keys.hpp"
 #include "runner/study/expand.hpp"
+#include "runner/study/study_notes.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {
@@ -48,6 +52,16 @@ void limit_number(Issues& issues) {
   issues.push_back({"", "and " + std::to_string(more) + " more faults"});
 }
 
+/// 4.0 becomes 4 and -0.0 becomes 0, so that one study in two spellings is one document.
+void spell_numbers_alike(json& value) {
+  constexpr double kLargestWhole = 9007199254740992;  // 2^53: up to here a double holds every whole number
+  if (value.is_structured())
+    for (json& inner : value) spell_numbers_alike(inner);
+  if (!value.is_number_float()) return;
+  const double number = value;
+  if (number == std::floor(number) && std::abs(number) <= kLargestWhole) value = static_cast<std::int64_t>(number);
+}
+
 /// Reads one document; what is wrong with it gathers in `issues`, at most one fault a pointer.
 class StudyReader {
  public:
@@ -60,7 +74,7 @@ class StudyReader {
     study.description = read_description();
     study.axes = read_axes();
     refuse_unknown_keys();
-    if (const json* base = read_base()) study.cases = expand(*base, study.axes);
+    if (const json* base = read_base()) expand(*base, study);
     return study;
   }
 
@@ -136,19 +150,25 @@ class StudyReader {
 
   /// A key of the base or a value of an axis at which a fault was found is not tried again: so the time grows
   /// with the document and with the number of cases, not with their product.
-  std::vector<Case> expand(json base, const std::vector<Axis>& axes) {
-    double points = product_size(axes);
-    if (points > static_cast<double>(kMostCases)) {
+  void expand(json base, Study& study) {
+    double points = product_size(study.axes);
+    const bool is_too_large = points > static_cast<double>(kMostCases);
+    if (is_too_large) {
       fault("/axes", "make a grid of " + whole(points) + " cases; at most " + std::to_string(kMostCases) +
                          " are allowed");
       points = 1;  // enough to see what else is wrong with the base
     }
-    std::vector<Case> cases;
-    std::set<std::string> ids;
-    for (std::size_t point = 0; static_cast<double>(point) < points; ++point)
-      if (const auto made = read_case(base, axes, axis_indices(axes, point)))
-        if (ids.insert(case_id(*made)).second) cases.push_back(*made);
-    return cases;
+    std::map<std::string, std::size_t> numbers;  // of the cases, by their ids
+    for (std::size_t point = 0; static_cast<double>(point) < points; ++point) {
+      const auto made = read_case(base, study.axes, axis_indices(study.axes, point));
+      if (!made) continue;
+      const auto [number, is_new] = numbers.emplace(case_id(*made), study.cases.size());
+      if (is_new) study.cases.push_back(*made);
+      study.points.push_back(number->second);
+    }
+    if (is_too_large) return;
+    for (const Issue& issue : dropped_.faults()) fault(issue.pointer, issue.message);
+    study.notes = notes_on(study, dropped_, choices_);
   }
 
   std::optional<Case> read_case(json& base, const std::vector<Axis>& axes, const AxisIndices& indices) {
@@ -159,10 +179,33 @@ class StudyReader {
         left_out.insert(axes[axis].parameter());
       else
         flat[axes[axis].parameter()] = axes[axis].value(indices[axis]);
-    ParsedCase parsed = parse_case(flat);
+    const ParsedCase parsed = read_with_effect(flat, axes, indices);
     for (const Issue& issue : parsed.issues)
       if (!left_out.contains(first_token(issue.pointer))) add_case_fault(issue, base, axes, indices);
+    for (const Choice& choice : parsed.choices) ++choices_[in_words(choice)];
     return parsed.value;
+  }
+
+  /// Drops the keys that have no effect at this point.
+  ParsedCase read_with_effect(json& flat, const std::vector<Axis>& axes, const AxisIndices& indices) {
+    dropped_.count_point(indices);
+    const auto is_useless = [](const Issue& issue) { return issue.without_effect; };
+    ParsedCase parsed = parse_case(flat);
+    for (; std::any_of(parsed.issues.begin(), parsed.issues.end(), is_useless); parsed = parse_case(flat))
+      for (const Issue& issue : parsed.issues)
+        if (is_useless(issue)) {
+          dropped_.add(issue, study_pointer(issue.pointer, axes, indices), axis_value(issue, axes, indices));
+          erase_at(flat, issue.pointer);
+        }
+    return parsed;
+  }
+
+  /// The value of an axis that the issue concerns, unless the axis is a range, whose values have one pointer.
+  static std::optional<DroppedKeys::AxisValue> axis_value(const Issue& issue, const std::vector<Axis>& axes,
+                                                          const AxisIndices& indices) {
+    const auto axis = axis_of(issue.pointer, axes);
+    if (!axis || !axes[*axis].is_list()) return std::nullopt;
+    return DroppedKeys::AxisValue{*axis, indices[*axis]};
   }
 
   void add_case_fault(const Issue& issue, json& base, const std::vector<Axis>& axes,
@@ -179,9 +222,19 @@ class StudyReader {
   std::set<std::string> faulty_;       ///< pointers
   std::set<std::string> faulty_axes_;  ///< parameters: that the cases lack them is no second fault
   std::set<std::pair<std::size_t, std::size_t>> faulty_values_;  ///< axis, index of the value
+  DroppedKeys dropped_;
+  std::map<std::string, std::size_t> choices_;  ///< what the solver chose, in words: at how many points
 };
 
 }  // namespace
+
+json Study::asked_at(std::size_t point) const {
+  json asked = document["base"];
+  const AxisIndices indices = axis_indices(axes, point);
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) asked[axes[axis].parameter()] = axes[axis].value(indices[axis]);
+  for (const char* key : {"until", "outputs"}) asked.erase(key);
+  return asked;
+}
 
 ParsedStudy parse_study(const json& document) {
   ParsedStudy parsed;
@@ -189,7 +242,9 @@ ParsedStudy parse_study(const json& document) {
     parsed.issues.push_back({"", std::string("a study must be an object, is ") + document.type_name()});
     return parsed;
   }
-  Study study = StudyReader(document, parsed.issues).read();
+  json alike = document;
+  spell_numbers_alike(alike);
+  Study study = StudyReader(alike, parsed.issues).read();
   if (parsed.issues.empty()) parsed.value = std::move(study);
   limit_number(parsed.issues);
   return parsed;

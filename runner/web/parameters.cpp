@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runner/results/queries.hpp"
+#include "runner/study/axis.hpp"
 
 namespace capstan {
 namespace {
@@ -80,7 +81,7 @@ std::string fault_of_c0(const std::string& value) {
   return "must be a number, or one of: initial, uniform";
 }
 
-std::string fault_of_axis(const std::string& value) { return fault_of_word(value, scalar_parameters()); }
+std::string fault_of_axis(const std::string& value) { return fault_of_word(value, axis_parameters()); }
 
 std::string fault_of_format(const std::string& value) { return fault_among(value, "json", "csv"); }
 
@@ -95,9 +96,14 @@ constexpr Parameter kCaseList[] = {
     {"law", fault_of_law},         {"C", fault_of_number},    {"Ca", fault_of_number},
     {"V", fault_of_number},        {"Re", fault_of_number},   {"E_b", fault_of_number},
     {"bending", fault_of_bending}, {"c0", fault_of_c0},       {"fluid", fault_of_fluid},
+    {"fidelity", anything},
 };
 
-constexpr Parameter kPhaseDiagram[] = {{"x", fault_of_axis}, {"y", fault_of_axis}};
+constexpr Parameter kPhaseDiagram[] = {
+    {"x", fault_of_axis},
+    {"y", fault_of_axis},
+    {"at", anything, true},  // AXIS=VALUE is checked against the study, where that is known
+};
 
 constexpr Parameter kHistory[] = {{"format", fault_of_format}};
 

@@ -67,10 +67,14 @@ Response get_phase_diagram(Service& service, const Request& request, const std::
   const Readers::Reader database = service.reader();
   const auto study = find_study(*database, id);
   if (!study) return no_such_study(id);
-  const auto diagram =
-      phase_diagram(*study, find_points(*database, id), query_value(request, "x"), query_value(request, "y"));
-  if (!diagram) return problem(404, "Not found", "the study has no such axes to draw a phase diagram over");
-  return json_response(200, to_json(*diagram));
+  if ((*study)["axes"].empty()) return problem(404, "Not found", "the study has no axis to draw a phase diagram over");
+  DiagramRequest wanted{query_value(request, "x"), query_value(request, "y"), {}};
+  for (const auto& [key, value] : request.query)
+    if (key == "at") wanted.at.push_back(value);
+  const ParsedDiagram diagram = phase_diagram(*study, find_points(*database, id), wanted);
+  if (!diagram.value)
+    return problem(400, "Invalid diagram", "the query does not say which diagram to draw", diagram.issues);
+  return json_response(200, to_json(*diagram.value));
 }
 
 Response cancel_study(Service& service, const Request& request, const std::string& id) {

@@ -45,7 +45,7 @@ class ObjectReader {
     if (!std::isfinite(given) || too_low || given > range.high)
       return fault(key, "is " + shown(given) + ", must be " + (range.low_is_open ? "> " : ">= ") + shown(range.low) +
                             " and <= " + shown(range.high));
-    value = given;
+    value = given + 0.0;  // -0.0 is 0
   }
 
   void integer(const char* key, int& value, Range range) {

@@ -347,5 +347,12 @@ TEST(ParseJson, RefusesATextCutAnywhere) {
     EXPECT_FALSE(parse_json(text.substr(0, length)).value) << length;
 }
 
+TEST(ContentId, NegativeZeroIsZero) {
+  const auto id = [](const char* text) { return case_id(parse_case(json::parse(text)).value.value()); };
+  EXPECT_EQ(id(R"({"Ca": 0.1, "E_b": -0.0, "outputs": {"shapes_every": -0.0}})"),
+            id(R"({"Ca": 0.1, "E_b": 0, "outputs": {"shapes_every": 0}})"));
+  EXPECT_EQ(id(R"({"Ca": 0.1, "E_b": 0.01, "c0": -0.0})"), id(R"({"Ca": 0.1, "E_b": 0.01, "c0": 0})"));
+}
+
 }  // namespace
 }  // namespace capstan

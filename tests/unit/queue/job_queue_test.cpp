@@ -6,6 +6,7 @@
 #include <functional>
 #include <random>
 
+#include "runner/queue/points.hpp"
 #include "runner/queue/replacement.hpp"
 #include "runner/queue/schema.hpp"
 #include "runner/results/result.hpp"
@@ -360,6 +361,59 @@ TEST_F(JobQueueTest, KeptSumsAreThoseOfACountAfterAnyHistory) {
     database_.execute_script(kRecount);
     ASSERT_EQ(kept, sums()) << "after step " << step;
   }
+}
+
+/// Six points, two cases: Re has no effect on boundary integrals.
+Study merged_study() {
+  return parse_study(nlohmann::json::parse(R"({"name": "merged", "base": {"fluid": "stokes"},
+    "axes": {"Ca": [0.1, 0.2], "Re": [0, 0.05, 0.1]}})"))
+      .value.value();
+}
+
+TEST_F(JobQueueTest, PointsOfOneCaseAreAllKeptAndTheCaseCountsOnce) {
+  const std::string id = queue_.submit(merged_study()).study_id;
+  EXPECT_EQ(count("study_cases"), 6);
+  EXPECT_EQ(count("cases"), 2);
+  EXPECT_EQ(text("SELECT asked FROM study_cases WHERE study_id = ? AND position = 4", id),
+            R"({"Ca":0.2,"Re":0.05,"fluid":"stokes"})");
+  const auto counts = [&] {
+    return text("SELECT points || ' ' || queued || ' ' || running || ' ' || done || ' ' || tumbling FROM schedule"
+                " WHERE study_id = ?", id);
+  };
+  EXPECT_EQ(counts(), "6 2 0 0 0");
+  const auto claim = queue_.claim();
+  EXPECT_EQ(counts(), "6 1 1 0 0");
+  queue_.finish(*claim, Ending::done, "");
+  store_result(database_, claim->case_id, {{"motion", "tumbling"}});
+  EXPECT_EQ(counts(), "6 1 0 1 3");
+  database_.execute_script(kRecount);
+  EXPECT_EQ(counts(), "6 1 0 1 3");
+  queue_.cancel(id);
+  EXPECT_EQ(counts(), "6 0 0 1 3");
+}
+
+/// As an earlier program stored them: each case once, and not what was asked for.
+TEST_F(JobQueueTest, PointsOfAnOldStudyAreDerivedFromItsDocument) {
+  const std::string id = queue_.submit(merged_study()).study_id;
+  database_.execute("DELETE FROM study_cases WHERE position IN (1, 2, 4, 5)");
+  database_.execute("UPDATE study_cases SET asked = NULL, position = position / 3");
+  database_.execute("UPDATE study_cases SET replaces = 'before' WHERE position = 1");
+  database_.execute_script(kRecount);
+  derive_old_points(database_);
+  EXPECT_EQ(count("study_cases"), 6);
+  EXPECT_EQ(text("SELECT asked FROM study_cases WHERE study_id = ? AND position = 4", id),
+            R"({"Ca":0.2,"Re":0.05,"fluid":"stokes"})");
+  EXPECT_EQ(text("SELECT count(*) FROM study_cases WHERE study_id = ? AND replaces = 'before'", id), "3");
+  EXPECT_EQ(text("SELECT points || ' ' || queued FROM schedule WHERE study_id = ?", id), "6 2");
+}
+
+TEST_F(JobQueueTest, PointsOfAnOldStudyThatIsReadOtherwiseTodayAreThoseOfItsCases) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  database_.execute("UPDATE study_cases SET asked = NULL");
+  database_.execute("UPDATE studies SET document = json_set(document, '$.base.colour', 'red')");
+  derive_old_points(database_);
+  EXPECT_EQ(text("SELECT json_extract(asked, '$.Ca') FROM study_cases WHERE study_id = ? AND position = 1", id),
+            "0.75");
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST_F(ServiceTest, FailedCaseDoesNotStopTheOthersAndSaysWhy) {
 }
 
 TEST_F(ServiceTest, ProgressFollowsTheHistory) {
-  const std::string id = submit({{"Ca", {0.25, 0.5}}});
+  const std::string id = submit({{"Ca", {0.25}}, {"E_b", {0.01}}, {"c0", {0, 1}}});
   write_history("run 1", "{\"kt\":15}\n");
   service_->tick();
   EXPECT_EQ(cases(id)[0]["progress"], 0.5);
@@ -362,7 +362,7 @@ TEST_F(ServiceTest, FailedAndDivergedCasesAreReplacedByFinerOnes) {
   EXPECT_NE(cases(id)[0]["parameters"]["fidelity"], cases(id)[2]["parameters"]["fidelity"]);
 }
 
-TEST_F(ServiceTest, CaseThatAnotherIsReplacedByCountsAtBothPlaces) {
+TEST_F(ServiceTest, CaseThatAnotherIsReplacedByIsOneCaseAtTwoPoints) {
   nlohmann::json document = study_document("study", {{"fidelity", {"fast", "standard"}}, {"Ca", {0.25}}});
   document["base"].erase("fidelity");
   const std::string id = service_->submit(parse_study(document).value.value()).study_id;
@@ -371,9 +371,12 @@ TEST_F(ServiceTest, CaseThatAnotherIsReplacedByCountsAtBothPlaces) {
   service_->tick();
   EXPECT_THAT(service_->retry_at(id, "standard"), IsEmpty());
   EXPECT_EQ(cases(id)[0]["id"], cases(id)[1]["id"]);
+  EXPECT_EQ(cases(id)[1]["same_as"], 1);
   complete("run 2", "tumbling");
   service_->tick();
-  EXPECT_EQ(study(id)["cases"]["done"], 2);
+  EXPECT_EQ(study(id)["points"], 2);
+  EXPECT_EQ(study(id)["cases"]["total"], 1);
+  EXPECT_EQ(study(id)["cases"]["done"], 1);
   EXPECT_EQ(study(id)["motions"]["tumbling"], 2);
   EXPECT_EQ(study(id)["progress"], 1);
 }

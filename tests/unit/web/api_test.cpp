@@ -206,6 +206,69 @@ TEST_F(ApiTest, HistoryComesInTheFormatThatTheClientPrefers) {
   EXPECT_EQ(get(path).headers.at("Vary"), "Accept");
 }
 
+TEST_F(ApiTest, PointsAreShownFilteredAndDrawnByWhatWasAskedFor) {
+  const Response response = ask("POST", "/v1/studies", R"({"name": "asked", "base": {"Ca": 0.1},
+      "axes": {"fluid": ["stokes", "auto", "quasisteady"], "fidelity": ["fast", {"preset": "fast", "nodes": 162}]}})");
+  ASSERT_EQ(response.status, 201) << response.body;
+  const ordered_json study = json(response);
+  EXPECT_EQ(study["points"], 6);
+  EXPECT_EQ(study["cases"]["total"], 4);
+  EXPECT_THAT(study["notes"].dump(), HasSubstr("6 points are 4 cases"));
+  const std::string path = "/v1/studies/" + study["id"].get<std::string>();
+  const auto points = [&](std::vector<std::pair<std::string, std::string>> query) {
+    return json(get(path + "/cases", std::move(query)))["cases"];
+  };
+  const ordered_json automatic = points({{"fluid", "auto"}});
+  ASSERT_THAT(automatic, SizeIs(2));
+  EXPECT_EQ(automatic[0]["point"], 3);
+  EXPECT_EQ(automatic[0]["same_as"], 1);
+  EXPECT_EQ(automatic[0]["asked"]["fluid"], "auto");
+  EXPECT_EQ(automatic[0]["asked"]["fidelity"], "fast");
+  EXPECT_EQ(automatic[0]["parameters"]["fluid"], "stokes");
+  EXPECT_THAT(points({{"fluid", "stokes"}}), SizeIs(2)) << "what was asked for, not what auto became";
+  EXPECT_THAT(points({{"fidelity", "fast"}}), SizeIs(3));
+  EXPECT_THAT(points({{"fidelity", R"({"nodes": 162, "preset": "fast"})"}, {"fluid", "auto"}}), SizeIs(1));
+  EXPECT_THAT(points({{"shape", "sphere"}}), SizeIs(6)) << "a default that nobody asked for";
+  const ordered_json diagram = json(get(path + "/phase-diagram"));
+  EXPECT_EQ(diagram["x"]["values"], ordered_json({"stokes", "auto", "quasisteady"}));
+  for (const ordered_json& row : diagram["rows"])
+    for (const ordered_json& cell : row) EXPECT_EQ(cell["state"], "queued");
+}
+
+TEST_F(ApiTest, PointSaysWhichOfItsKeysHaveNoEffect) {
+  const std::string id = json(ask("POST", "/v1/studies", R"({"name": "asked", "base": {"Ca": 0.1},
+      "axes": {"fluid": ["stokes", "quasisteady"], "Re": [0.02, 0.05]}})"))["id"];
+  const ordered_json points = json(get("/v1/studies/" + id + "/cases"))["cases"];
+  ASSERT_THAT(points, SizeIs(4));
+  EXPECT_EQ(points[0]["without_effect"], ordered_json({"Re"}));
+  EXPECT_EQ(points[1]["same_as"], 1);
+  EXPECT_FALSE(points[2].contains("without_effect"));
+  EXPECT_FALSE(points[2].contains("same_as"));
+}
+
+TEST_F(ApiTest, FilterTellsCloseValuesOfAnAxisApart) {
+  const std::string id = json(ask("POST", "/v1/studies", study_document("close", {{"Ca", {0.1}},
+      {"V", {{"from", 1}, {"to", 1.00000000001}, {"count", 11}}}}).dump()))["id"];
+  const ordered_json points = json(get("/v1/studies/" + id + "/cases", {{"V", "1.000000000003"}}))["cases"];
+  ASSERT_THAT(points, SizeIs(1));
+  EXPECT_EQ(points[0]["point"], 4);
+}
+
+TEST_F(ApiTest, ThirdAxisOfAPhaseDiagramIsFixed) {
+  const std::string id = json(ask("POST", "/v1/studies",
+      study_document("three", {{"Ca", {0.1, 0.2}}, {"V", {1, 2}}, {"E_b", {0, 0.01}}}).dump()))["id"];
+  const std::string path = "/v1/studies/" + id + "/phase-diagram";
+  const Response refusal = get(path);
+  EXPECT_EQ(refusal.status, 400);
+  EXPECT_THAT(refusal.body, HasSubstr("E_b is not fixed"));
+  EXPECT_THAT(refusal.body, HasSubstr("it has: 0, 0.01"));
+  const Response response = get(path, {{"x", "V"}, {"y", "E_b"}, {"at", "Ca=0.2"}});
+  EXPECT_EQ(response.status, 200) << response.body;
+  EXPECT_EQ(json(response)["at"]["Ca"], 0.2);
+  EXPECT_THAT(json(response)["rows"], SizeIs(2));
+  EXPECT_EQ(get(path, {{"at", "E_b=0.3"}}).status, 400);
+}
+
 TEST_F(ApiTest, HistoryComesInColumnsOrAsCsv) {
   const std::string id = submit_and_complete_one();
   const std::string case_id = json(get("/v1/studies/" + id + "/cases"))["cases"][0]["id"];

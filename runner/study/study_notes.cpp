@@ -1,0 +1,66 @@
+#include "runner/study/study_notes.hpp"
+
+#include <algorithm>
+
+namespace capstan {
+namespace {
+
+constexpr std::size_t kMaxNamed = 4;
+
+/// "a, b, c and 7 more"
+std::string listed_in_words(const std::vector<std::string>& texts) {
+  std::string words;
+  for (std::size_t i = 0; i < std::min(texts.size(), kMaxNamed); ++i) words += (i > 0 ? ", " : "") + texts[i];
+  return texts.size() > kMaxNamed ? words + " and " + std::to_string(texts.size() - kMaxNamed) + " more" : words;
+}
+
+void add_repeated_values(const Study& study, std::vector<std::string>& notes) {
+  for (const Axis& axis : study.axes) {
+    std::vector<std::string> values;
+    for (const nlohmann::json& value : axis.repeated()) values.push_back(value.dump());
+    if (!values.empty())
+      notes.push_back("axis " + axis.parameter() + ": " + listed_in_words(values) +
+                      (values.size() == 1 ? " stands" : " stand") + " more than once and counts once");
+  }
+}
+
+void add_choices(const Study& study, const std::map<std::string, std::size_t>& choices,
+                 std::vector<std::string>& notes) {
+  std::size_t named = 0;
+  for (const auto& [words, points] : choices) {
+    if (named++ == kMaxNamed) return notes.push_back("and " + std::to_string(choices.size() - kMaxNamed) +
+                                                     " more choices of the solver");
+    const std::size_t all = study.points.size();
+    const std::string where = "at " + std::to_string(points) + " of " + std::to_string(all) + " points ";
+    notes.push_back((points < all ? where : "") + words);
+  }
+}
+
+void add_equal_points(const Study& study, std::vector<std::string>& notes) {
+  if (study.points.size() == study.cases.size()) return;
+  std::vector<std::size_t> first(study.cases.size());
+  std::vector<std::string> equal;
+  for (std::size_t point = 0, known = 0; point < study.points.size(); ++point) {
+    const std::size_t number = study.points[point];
+    if (number == known)
+      first[known++] = point;
+    else
+      equal.push_back("point " + std::to_string(point + 1) + " is the same case as point " +
+                      std::to_string(first[number] + 1));
+  }
+  notes.push_back(std::to_string(study.points.size()) + " points are " + std::to_string(study.cases.size()) +
+                  (study.cases.size() == 1 ? " case" : " cases") + ", each computed once: " + listed_in_words(equal));
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on(const Study& study, const DroppedKeys& dropped,
+                                  const std::map<std::string, std::size_t>& choices) {
+  std::vector<std::string> notes = dropped.notes();
+  add_repeated_values(study, notes);
+  add_choices(study, choices, notes);
+  add_equal_points(study, notes);
+  return notes;
+}
+
+}  // namespace capstan

@@ -1,0 +1,87 @@
+-- Format 5: a row of study_cases is a point of the study, with the values that were asked for there. Points that
+-- resolve to the same case are all rows; the case is computed once.
+
+ALTER TABLE study_cases ADD COLUMN asked TEXT;   -- {"Ca": 0.25, "fluid": "auto", ..}; NULL until derived for an older study
+ALTER TABLE studies ADD COLUMN notes TEXT NOT NULL DEFAULT '[]';   -- sentences: what its author may not expect
+CREATE INDEX points_without_values ON study_cases (study_id) WHERE asked IS NULL;   -- empty after the first start
+
+-- Counts by state and sums of costs are of the study's distinct cases, counts by motion of its points. What was
+-- cancelled has cost nothing and is not behind the study.
+ALTER TABLE schedule ADD COLUMN points INTEGER NOT NULL DEFAULT 0;
+
+-- A study is known by its document in one spelling of numbers from now on.
+DELETE FROM idempotency_keys;
+
+DROP TRIGGER case_joins_study;
+CREATE TRIGGER case_joins_study AFTER INSERT ON study_cases BEGIN
+  UPDATE schedule SET
+    points        = points        + 1,
+    queued        = queued        + c.is_new * (c.state = 'queued'),
+    running       = running       + c.is_new * (c.state = 'running'),
+    done          = done          + c.is_new * (c.state = 'done'),
+    failed        = failed        + c.is_new * (c.state = 'failed'),
+    diverged      = diverged      + c.is_new * (c.state = 'diverged'),
+    cancelled     = cancelled     + c.is_new * (c.state = 'cancelled'),
+    cost_total    = cost_total    + c.is_new * c.cost,
+    cost_ended    = cost_ended    + c.is_new * c.cost * (c.state NOT IN ('queued', 'running', 'cancelled')),
+    tumbling      = tumbling      + (c.motion IS 'tumbling'),
+    tank_treading = tank_treading + (c.motion IS 'tank_treading'),
+    transition    = transition    + (c.motion IS 'transition'),
+    undecided     = undecided     + (c.motion IS 'undecided')
+    FROM (SELECT state, motion, cost,
+                 (SELECT count(*) FROM study_cases WHERE case_id = NEW.case_id AND study_id = NEW.study_id) = 1 is_new
+          FROM cases LEFT JOIN results ON case_id = id WHERE id = NEW.case_id) c
+    WHERE study_id = NEW.study_id;
+  INSERT INTO waiting SELECT s.number, NEW.position, c.id, c.not_before FROM studies s, cases c
+    WHERE s.id = NEW.study_id AND c.id = NEW.case_id AND c.state = 'queued' AND s.cancelled_at IS NULL;
+END;
+
+DROP TRIGGER case_leaves_study;
+CREATE TRIGGER case_leaves_study AFTER DELETE ON study_cases BEGIN
+  UPDATE schedule SET
+    points        = points        - 1,
+    queued        = queued        - c.is_gone * (c.state = 'queued'),
+    running       = running       - c.is_gone * (c.state = 'running'),
+    done          = done          - c.is_gone * (c.state = 'done'),
+    failed        = failed        - c.is_gone * (c.state = 'failed'),
+    diverged      = diverged      - c.is_gone * (c.state = 'diverged'),
+    cancelled     = cancelled     - c.is_gone * (c.state = 'cancelled'),
+    cost_total    = cost_total    - c.is_gone * c.cost,
+    cost_ended    = cost_ended    - c.is_gone * c.cost * (c.state NOT IN ('queued', 'running', 'cancelled')),
+    tumbling      = tumbling      - (c.motion IS 'tumbling'),
+    tank_treading = tank_treading - (c.motion IS 'tank_treading'),
+    transition    = transition    - (c.motion IS 'transition'),
+    undecided     = undecided     - (c.motion IS 'undecided')
+    FROM (SELECT state, motion, cost,
+                 NOT EXISTS (SELECT 1 FROM study_cases WHERE case_id = OLD.case_id AND study_id = OLD.study_id) is_gone
+          FROM cases LEFT JOIN results ON case_id = id WHERE id = OLD.case_id) c
+    WHERE study_id = OLD.study_id;
+  DELETE FROM waiting
+    WHERE study_number = (SELECT number FROM studies WHERE id = OLD.study_id) AND position = OLD.position;
+END;
+
+DROP TRIGGER case_changes_state;
+CREATE TRIGGER case_changes_state AFTER UPDATE OF state ON cases WHEN NEW.state <> OLD.state BEGIN
+  UPDATE schedule SET
+    queued     = queued     + (NEW.state = 'queued')    - (OLD.state = 'queued'),
+    running    = running    + (NEW.state = 'running')   - (OLD.state = 'running'),
+    done       = done       + (NEW.state = 'done')      - (OLD.state = 'done'),
+    failed     = failed     + (NEW.state = 'failed')    - (OLD.state = 'failed'),
+    diverged   = diverged   + (NEW.state = 'diverged')  - (OLD.state = 'diverged'),
+    cancelled  = cancelled  + (NEW.state = 'cancelled') - (OLD.state = 'cancelled'),
+    cost_ended = cost_ended
+      + NEW.cost * ((OLD.state IN ('queued', 'running', 'cancelled')) - (NEW.state IN ('queued', 'running', 'cancelled')))
+    WHERE study_id IN (SELECT study_id FROM study_cases WHERE case_id = NEW.id);
+  DELETE FROM waiting WHERE case_id = NEW.id;
+  INSERT INTO waiting SELECT s.number, w.position, NEW.id, NEW.not_before
+    FROM study_cases w JOIN studies s ON s.id = w.study_id
+    WHERE w.case_id = NEW.id AND NEW.state = 'queued' AND s.cancelled_at IS NULL;
+END;
+
+DROP TRIGGER cost_is_known;
+CREATE TRIGGER cost_is_known AFTER UPDATE OF cost ON cases WHEN NEW.cost <> OLD.cost BEGIN
+  UPDATE schedule SET
+    cost_total = cost_total + NEW.cost - OLD.cost,
+    cost_ended = cost_ended + (NEW.cost - OLD.cost) * (NEW.state NOT IN ('queued', 'running', 'cancelled'))
+    WHERE study_id IN (SELECT study_id FROM study_cases WHERE case_id = NEW.id);
+END;
