@@ -85,3 +85,7 @@ CREATE TRIGGER cost_is_known AFTER UPDATE OF cost ON cases WHEN NEW.cost <> OLD.
     cost_ended = cost_ended + (NEW.cost - OLD.cost) * (NEW.state NOT IN ('queued', 'running', 'cancelled'))
     WHERE study_id IN (SELECT study_id FROM study_cases WHERE case_id = NEW.id);
 END;
+
+-- Runs that failed on the way have no motion; older solvers gave them that of their history.
+UPDATE results SET motion = NULL
+  WHERE motion IS NOT NULL AND case_id IN (SELECT id FROM cases WHERE state <> 'done');

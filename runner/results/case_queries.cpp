@@ -32,7 +32,7 @@ bool is_ended(const std::string& state) { return state != "queued" && state != "
 /// The parts of result.json that a case shows, null before there are any.
 void add_result(ordered_json& shown, const std::string& document) {
   const ordered_json result = document.empty() ? ordered_json::object() : ordered_json::parse(document);
-  for (const char* key : {"evidence", "stop", "final", "cost", "trust"})
+  for (const char* key : {"explanation", "evidence", "stop", "final", "cost", "trust"})
     shown[key] = result.contains(key) ? result[key] : ordered_json();
 }
 

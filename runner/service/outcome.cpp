@@ -23,6 +23,7 @@ RunOutcome outcome_of_result(nlohmann::ordered_json result) {
                 std::to_string(kResultFormat),
             {}};
   const bool has_answer = answers.contains(text_at(result, "stop"));
+  if (!has_answer) result["motion"] = nullptr;  // older solvers gave one to failed runs
   std::string message = text_at(result, "message");
   return {has_answer ? RunOutcome::Kind::done : RunOutcome::Kind::diverged, std::move(message), std::move(result)};
 }

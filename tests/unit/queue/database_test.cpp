@@ -109,6 +109,19 @@ TEST_F(DatabaseTest, FormatOfALaterProgramIsRefused) {
   EXPECT_THROW(Database(file_, Database::Access::write), DatabaseError);
 }
 
+TEST(OldDatabase, LosesTheMotionsThatFailedRunsWereGiven) {
+  const TemporaryDirectory directory;
+  const std::filesystem::path file = directory.path() / "old.sqlite";
+  make_old_database(file, "UPDATE results SET motion = 'tank_treading' WHERE motion IS NULL;");
+  Database database(file, Database::Access::write);
+  const nlohmann::ordered_json kept = find_study(database, "kept-8a8f").value();
+  EXPECT_EQ(kept["cases"]["diverged"], 2);
+  EXPECT_EQ(kept["motions"]["tank_treading"], 1);  // of the case that is done
+  Statement failed =
+      database.query("SELECT 1 FROM results WHERE motion IS NOT NULL AND document LIKE '%diverged%'");
+  EXPECT_FALSE(failed.step());
+}
+
 TEST(OldDatabase, IsBroughtToThePresentFormatWithAllItHolds) {
   const TemporaryDirectory directory;
   const std::filesystem::path file = directory.path() / "old.sqlite";

@@ -42,6 +42,13 @@ TEST_F(OutcomeTest, NumericalFailureIsDivergedWithItsMessage) {
   EXPECT_EQ(outcome.message, "no flow at kt = 3");
 }
 
+TEST_F(OutcomeTest, ARunWithoutAnAnswerHasNoMotion) {
+  for (const char* stop : {"diverged", "not_converged"}) {
+    write("result.json", std::string("{\"stop\":\"") + stop + "\",\"motion\":\"tank_treading\"}");
+    EXPECT_TRUE((*exited_with(3).result)["motion"].is_null()) << stop;
+  }
+}
+
 TEST_F(OutcomeTest, PublishedResultCountsHoweverTheProcessEndedAfterwards) {
   write("result.json", R"({"stop": "reached_end"})");
   EXPECT_EQ(killed_by(SIGKILL).kind, Kind::done);

@@ -362,6 +362,18 @@ TEST_F(ServiceTest, FailedAndDivergedCasesAreReplacedByFinerOnes) {
   EXPECT_NE(cases(id)[0]["parameters"]["fidelity"], cases(id)[2]["parameters"]["fidelity"]);
 }
 
+TEST_F(ServiceTest, ARunThatDivergedHasNoMotionInListsCountsAndDiagrams) {
+  const std::string id = submit({{"Ca", {0.25, 0.5}}});
+  std::ofstream(directory_of("run 1").result_file()) << R"({"stop": "diverged", "motion": "tank_treading"})";
+  executor_.exit("run 1", 3);
+  complete("run 2", "tumbling");
+  service_->tick();
+  EXPECT_TRUE(cases(id)[0]["motion"].is_null());
+  EXPECT_EQ(study(id)["motions"]["tank_treading"], 0);
+  EXPECT_EQ(study(id)["motions"]["tumbling"], 1);
+  EXPECT_THAT(cases(id, {{"motion", "tank_treading"}}), IsEmpty());
+}
+
 TEST_F(ServiceTest, CaseThatAnotherIsReplacedByIsOneCaseAtTwoPoints) {
   nlohmann::json document = study_document("study", {{"fidelity", {"fast", "standard"}}, {"Ca", {0.25}}});
   document["base"].erase("fidelity");
