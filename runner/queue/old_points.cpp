@@ -69,8 +69,7 @@ void derive(Database& database, const std::string& study_id) {
                      json(study->notes).dump(), study_id);
   } else {
     const json axes = column_of_study(database, "axes", study_id);
-    for (Point& point : points)
-      point.asked = asked_by_case(database, point, document["base"], axes).dump();
+    for (Point& point : points) point.asked = asked_by_case(database, point, document["base"], axes).dump();
   }
   for (const Point& point : stored) remove_point(database, point);
   for (const Point& point : points) add_point(database, point);

@@ -21,8 +21,7 @@ std::vector<Point> points_of_case(Database& database, const std::string& case_id
       "SELECT study_id, position, case_id, asked, replaces FROM study_cases"
       " WHERE case_id = ?1 AND (study_id = ?2 OR ?2 = '')",
       case_id, study_id);
-  while (row.step())
-    points.push_back({row.text(0), row.integer(1), row.text(2), row.text(3), row.text(4)});
+  while (row.step()) points.push_back({row.text(0), row.integer(1), row.text(2), row.text(3), row.text(4)});
   return points;
 }
 

@@ -27,13 +27,19 @@ constexpr const char* kOfPoint =
     " AND ifnull(r.motion, '') = ifnull(nullif(?, ''), ifnull(r.motion, '')) ORDER BY s.position";
 constexpr int kDocument = 3, kPosition = 9, kReplaces = 10, kAsked = 11, kFirst = 12;
 
+bool is_one_of(const std::string& value, std::initializer_list<const char*> words) {
+  return std::find(words.begin(), words.end(), value) != words.end();
+}
+
 bool is_ended(const std::string& state) { return state != "queued" && state != "running"; }
 
-/// The parts of result.json that a case shows, null before there are any.
+/// What result.json says and the case does not say itself, null before there is anything.
 void add_result(ordered_json& shown, const std::string& document) {
-  const ordered_json result = document.empty() ? ordered_json::object() : ordered_json::parse(document);
-  for (const char* key : {"explanation", "evidence", "stop", "final", "cost", "trust"})
-    shown[key] = result.contains(key) ? result[key] : ordered_json();
+  for (const char* key : {"stop", "explanation", "evidence", "final", "cost", "trust"}) shown[key] = nullptr;
+  if (document.empty()) return;
+  const ordered_json result = ordered_json::parse(document);
+  for (const auto& [key, value] : result.items())
+    if (!is_one_of(key, {"format", "case", "choices", "message", "motion"})) shown[key] = value;
 }
 
 ordered_json case_of(const Statement& row) {
@@ -63,6 +69,16 @@ ordered_json keys_without_effect(const json& asked, const ordered_json& paramete
   return keys;
 }
 
+/// Where the case is not what was asked for because the solver chose.
+ordered_json choices_at(json asked, const ordered_json& parameters) {
+  drop_keys_without_effect(asked);
+  Choices choices = parse_case(asked).choices;
+  std::erase_if(choices, [&](const Choice& choice) {  // today's rules are not those of an older case
+    return parameters.contains(choice.key) && parameters[choice.key] != ordered_json(choice.chosen);
+  });
+  return to_json(choices);
+}
+
 ordered_json point_of(const Statement& row) {
   ordered_json shown = {{"point", row.integer(kPosition) + 1}};
   const json asked = json::parse(row.text(kAsked));
@@ -72,6 +88,7 @@ ordered_json point_of(const Statement& row) {
   shown["asked"] = asked;
   if (ordered_json keys = keys_without_effect(asked, shown["parameters"]); !keys.empty())
     shown["without_effect"] = std::move(keys);
+  shown["choices"] = choices_at(asked, shown["parameters"]);
   return shown;
 }
 

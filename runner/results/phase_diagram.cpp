@@ -44,7 +44,8 @@ class DiagramReader {
   PhaseDiagram read(const DiagramRequest& wanted) {
     for (const auto& [place, name] : {std::pair{"x", wanted.x}, std::pair{"y", wanted.y}})
       if (!name.empty() && !find(name)) fault(place, no_axis(name));
-    if (!wanted.x.empty() && wanted.x == wanted.y) fault("y", "is " + wanted.x + " like x; name another axis");
+    if (!wanted.x.empty() && wanted.x == wanted.y)
+      fault("y", "is " + wanted.x + " like x; name another axis");
     PhaseDiagram diagram;
     if (!issues_.empty()) return diagram;
     for (const std::string& text : wanted.at) fix(text, wanted, diagram);
@@ -79,11 +80,13 @@ class DiagramReader {
     if (!axis) return fault("at", no_axis(name));
     if (name == wanted.x || name == wanted.y) return fault("at", name + " is drawn, so it cannot be fixed");
     const auto place = find_typed(axis->values, value);
-    if (!place) return fault("at", name + " has no value " + value + "; it has: " + values_in_words(axis->values));
+    if (!place)
+      return fault("at", name + " has no value " + value + "; it has: " + values_in_words(axis->values));
     if (!diagram.at.emplace(name, axis->values[*place]).second) fault("at", name + " is fixed twice");
   }
 
-  /// The axis of that name; without a name the first free one that has more than one value, or else any free one.
+  /// The axis of that name; without a name the first free one that has more than one value, or else any free
+  /// one.
   PhaseAxis chosen(const std::string& name, const std::string& taken, const PhaseDiagram& diagram) const {
     if (const PhaseAxis* axis = find(name)) return *axis;
     const auto is_free = [&](const PhaseAxis& axis) {
@@ -124,8 +127,9 @@ std::optional<std::size_t> place_of(const PointMotion& point, const std::string&
 }
 
 bool stands_at(const PointMotion& point, const std::map<std::string, json>& at) {
-  return std::all_of(at.begin(), at.end(),
-                     [&](const auto& fixed) { return point.asked.value(fixed.first, json()) == fixed.second; });
+  return std::all_of(at.begin(), at.end(), [&](const auto& fixed) {
+    return point.asked.value(fixed.first, json()) == fixed.second;
+  });
 }
 
 void merge(std::string& all, const std::string& one) {

@@ -7,7 +7,8 @@
 
 namespace capstan {
 
-/// Whether the text stands for the value. Numbers are equal when they agree to nine digits: nobody types more.
+/// Whether the text stands for the value. Numbers are equal when they agree to nine digits: nobody types
+/// more.
 bool means(const std::string& text, const nlohmann::json& value);
 
 /// Which of the values the text stands for; if more than one agrees to nine digits, the one that is equal.

@@ -1,6 +1,6 @@
 #pragma once
-// Keys without effect at a study's points. Where a key has an effect at another point it is dropped here; where it
-// has one at no point it is a fault.
+// Keys without effect at a study's points. Where a key has an effect at another point it is dropped here;
+// where it has one at no point it is a fault.
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -22,7 +22,8 @@ class DroppedKeys {
   void count_point(const std::vector<std::size_t>& indices);
 
   /// A key that was taken out of that case.
-  /// \param pointer  where it stands in the study  \param axis  the value of an axis that it stands in, if any
+  /// \param pointer  where it stands in the study  \param axis  the value of an axis that it stands in, if
+  /// any
   void add(const Issue& issue, const std::string& pointer, const std::optional<AxisValue>& axis);
 
   /// The keys that have an effect at no point where they stand, with pointers into the study.

@@ -11,7 +11,8 @@ constexpr std::size_t kMaxNamed = 4;
 std::string listed_in_words(const std::vector<std::string>& texts) {
   std::string words;
   for (std::size_t i = 0; i < std::min(texts.size(), kMaxNamed); ++i) words += (i > 0 ? ", " : "") + texts[i];
-  return texts.size() > kMaxNamed ? words + " and " + std::to_string(texts.size() - kMaxNamed) + " more" : words;
+  return texts.size() > kMaxNamed ? words + " and " + std::to_string(texts.size() - kMaxNamed) + " more"
+                                  : words;
 }
 
 void add_repeated_values(const Study& study, std::vector<std::string>& notes) {
@@ -28,8 +29,9 @@ void add_choices(const Study& study, const std::map<std::string, std::size_t>& c
                  std::vector<std::string>& notes) {
   std::size_t named = 0;
   for (const auto& [words, points] : choices) {
-    if (named++ == kMaxNamed) return notes.push_back("and " + std::to_string(choices.size() - kMaxNamed) +
-                                                     " more choices of the solver");
+    if (named++ == kMaxNamed)
+      return notes.push_back("and " + std::to_string(choices.size() - kMaxNamed) +
+                             " more choices of the solver");
     const std::size_t all = study.points.size();
     const std::string where = "at " + std::to_string(points) + " of " + std::to_string(all) + " points ";
     notes.push_back((points < all ? where : "") + words);
@@ -49,7 +51,8 @@ void add_equal_points(const Study& study, std::vector<std::string>& notes) {
                       std::to_string(first[number] + 1));
   }
   notes.push_back(std::to_string(study.points.size()) + " points are " + std::to_string(study.cases.size()) +
-                  (study.cases.size() == 1 ? " case" : " cases") + ", each computed once: " + listed_in_words(equal));
+                  (study.cases.size() == 1 ? " case" : " cases") +
+                  ", each computed once: " + listed_in_words(equal));
 }
 
 }  // namespace

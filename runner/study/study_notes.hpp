@@ -9,8 +9,8 @@
 
 namespace capstan {
 
-/// Values that stand twice on an axis, keys that were dropped, what the solver chose, points that are the same case.
-/// \param choices  in words, each with the number of points where it was made
+/// Values that stand twice on an axis, keys that were dropped, what the solver chose, points that are the
+/// same case. \param choices  in words, each with the number of points where it was made
 std::vector<std::string> notes_on(const Study& study, const DroppedKeys& dropped,
                                   const std::map<std::string, std::size_t>& choices);
 

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "runner/results/export.hpp"
+#include "runner/results/result_columns.hpp"
+#include "solver/case/parse.hpp"
 
 namespace capstan {
 namespace {
@@ -32,21 +36,102 @@ TEST(Table, HistoryHasAColumnAQuantity) {
   EXPECT_EQ(as_csv(table), "kt,theta\r\n0.1,1.5\r\n0.2,\r\n");
 }
 
-TEST(Table, FullTableHasTheUnionOfWhatTheCasesHave) {
-  const ordered_json shown = {{"id", "a"},
-                              {"state", "done"},
-                              {"motion", "tumbling"},
-                              {"message", ""},
-                              {"attempt", 1},
-                              {"parameters", {{"Ca", 0.5}, {"until", {{"kt", 1}}}}},
-                              {"final", {{"theta", 2.5}}}};
-  ordered_json other = shown;
-  other["parameters"] = {{"Ca", 0.6}, {"C", 5}};
-  other["final"] = nullptr;
-  EXPECT_EQ(as_csv(full_table({shown, other})),
-            "id,state,motion,message,attempt,Ca,C,final.theta\r\n"
-            "a,done,tumbling,,1,0.5,,2.5\r\n"
-            "a,done,tumbling,,1,0.6,5,\r\n");
+/// A point as the server answers with it.
+ordered_json point(int number, const char* asked, const ordered_json& more = ordered_json::object()) {
+  const nlohmann::json wish = nlohmann::json::parse(asked);
+  const ParsedCase parsed = parse_case(wish);
+  ordered_json shown = {{"point", number},
+                        {"id", "case " + std::to_string(number)},
+                        {"state", "done"},
+                        {"message", ""},
+                        {"motion", "tumbling"},
+                        {"kt", 30},
+                        {"parameters", to_json(*parsed.value)},
+                        {"asked", wish},
+                        {"choices", to_json(parsed.choices)}};
+  shown.update(more);
+  return shown;
+}
+
+ordered_json study_over(std::initializer_list<const char*> axes) {
+  ordered_json study = {{"axes", ordered_json::array()}};
+  for (const char* axis : axes) study["axes"].push_back({{"parameter", axis}});
+  return study;
+}
+
+ordered_json cell(const Table& table, std::size_t row, const std::string& column) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), column);
+  return found == table.columns.end()
+             ? ordered_json("no such column")
+             : table.rows[row][static_cast<std::size_t>(found - table.columns.begin())];
+}
+
+TEST(FullTable, HasEverythingThatWasAskedForResolvedAndFound) {
+  const Table table = full_table({point(1, R"({"Ca": 0.1, "fidelity": "fast", "fluid": "quasisteady"})",
+                                        {{"stop", "reached_end"},
+                                         {"trust",
+                                          {{"volume_drift", 0.02},
+                                           {"numerics_version", 6},
+                                           {"warnings", {"first", "second, \"quoted\""}}}},
+                                         {"cost", {{"seconds", 1.5}}}}),
+                                  point(2, R"({"Ca": 0.2})")});
+  for (const auto& [column, value] : std::initializer_list<std::pair<const char*, ordered_json>>{
+           {"asked.fidelity", "fast"},
+           {"fidelity.nodes", 642},
+           {"fidelity.dx", 0.2},
+           {"fidelity.box", 12.8},
+           {"until.kt", 30.0},
+           {"until.classified", false},
+           {"stop", "reached_end"},
+           {"trust.volume_drift", 0.02},
+           {"trust.numerics_version", 6},
+           {"trust.warnings", "first; second, \"quoted\""},
+           {"cost.seconds", 1.5}})
+    EXPECT_EQ(cell(table, 0, column), value) << column;
+  EXPECT_TRUE(cell(table, 0, "fidelity.kdt").is_number() || cell(table, 0, "fidelity.stepper") == "rkc2");
+  EXPECT_TRUE(cell(table, 1, "fidelity.dx").is_null());
+  EXPECT_EQ(cell(table, 1, "choices").get<std::string>().substr(0, 27), "fluid: auto became stokes: ");
+}
+
+TEST(FullTable, HasTheSameColumnsInTheSameOrderForEveryStudy) {
+  const Table one = full_table(ordered_json::array({point(1, R"({"Ca": 0.1})")}));
+  const Table other = full_table({point(1, R"({"Ca": 0.1, "law": "skalak", "C": 1, "fluid": "transient"})"),
+                                  point(2, R"({"Ca": 0.1})", {{"surface", {{"largest_dihedral", 0.2}}}})});
+  ASSERT_EQ(other.columns.size(), one.columns.size() + 1);
+  EXPECT_TRUE(std::equal(one.columns.begin(), one.columns.end(), other.columns.begin()));
+  EXPECT_EQ(other.columns.back(), "surface.largest_dihedral");
+  EXPECT_TRUE(full_table(ordered_json::array()).columns == one.columns);
+}
+
+TEST(FullTable, KnowsEveryKeyOfACase) {
+  for (const char* wish :
+       {R"({"Ca": 0.1})",
+        R"({"Ca": 0.1, "shape": "oblate", "aspect": 0.5, "law": "skalak", "C": 1, "E_b": 0.1})",
+        R"({"Ca": 0.1, "fluid": "quasisteady", "fidelity": {"stepper": "ab2"}})",
+        R"({"Ca": 0.1, "fluid": "transient"})"}) {
+    const Table table = full_table(ordered_json::array({point(1, wish)}));
+    EXPECT_EQ(table.columns, known_columns()) << wish;
+  }
+}
+
+TEST(SummaryTable, ShowsTheAxesAsAskedForAndWhatVariesBeside) {
+  const ordered_json cases = {point(1, R"({"Ca": 0.1, "fluid": "auto", "fidelity": "fast"})"),
+                              point(2, R"({"Ca": 0.1, "fluid": "quasisteady", "fidelity": "standard"})",
+                                    {{"trust", {{"warnings", {"the volume drifted"}}}}, {"same_as", 1}})};
+  const Table table = summary_table(study_over({"fluid", "fidelity"}), cases);
+  EXPECT_EQ(cell(table, 0, "fluid"), "auto");
+  EXPECT_EQ(cell(table, 0, "resolved fluid"), "stokes");
+  EXPECT_EQ(cell(table, 1, "fidelity"), "standard");
+  EXPECT_EQ(cell(table, 0, "nodes"), 642);
+  EXPECT_EQ(cell(table, 1, "nodes"), 2562);
+  EXPECT_EQ(cell(table, 1, "dx"), 0.1);
+  EXPECT_EQ(cell(table, 1, "warnings"), "the volume drifted");
+  EXPECT_EQ(cell(table, 1, "same as"), 1);
+  EXPECT_EQ(cell(table, 1, "Ca"), "no such column") << "it does not vary";
+  const Table plain_table =
+      summary_table(study_over({"Ca"}), {point(1, R"({"Ca": 0.1})"), point(2, R"({"Ca": 0.2})")});
+  EXPECT_EQ(plain_table.columns, (std::vector<std::string>{"point", "case", "Ca", "state", "motion", "kt",
+                                                           "D_xy", "theta", "margin", "message"}));
 }
 
 }  // namespace
