@@ -1,6 +1,7 @@
 #include "runner/web/connection.hpp"
 
 #include <arpa/inet.h>
+#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
@@ -11,25 +12,12 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "runner/web/head.hpp"
-
 namespace capstan {
 namespace {
 
 using std::chrono::milliseconds;
-using Steady = Connection::Steady;
 
-/// False at the deadline. A deadline that has passed is not waited for, whatever there is.
-bool wait_for(int socket, short events, Steady::time_point until) {
-  for (;;) {
-    const auto left = std::chrono::ceil<milliseconds>(until - Steady::now()).count();
-    if (left <= 0) return false;
-    pollfd watched{socket, events, 0};
-    if (poll(&watched, 1, static_cast<int>(left)) > 0) return true;
-  }
-}
-
-bool is_to_be_tried_again(int error) { return error == EAGAIN || error == EINTR; }
+bool is_to_be_tried_again(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
 
 std::string peer_of(int socket) {
   sockaddr_storage peer{};
@@ -43,104 +31,144 @@ std::string peer_of(int socket) {
   return text;
 }
 
+/// More may be on its way: that of a request whose head is not known, too.
+bool announces_body(const Head& head) {
+  return head.method.empty() || head.content_length > 0 || head.count("Transfer-Encoding") > 0;
+}
+
 }  // namespace
 
-Connection::Connection(int socket, Steady::time_point read_until)
-    : socket_(socket), peer_(peer_of(socket)), read_until_(read_until) {}
+Connection::Connection(int socket) : socket_(socket), peer_(peer_of(socket)) {
+  const int yes = 1;
+  setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+}
 
 Connection::~Connection() { close(socket_); }
 
-ssize_t Connection::receive(char* to, std::size_t size) {
+Connection::Input Connection::take_in(const Judge& judge) {
+  char part[16 << 10];
   for (;;) {
-    is_late_ = !wait_for(socket_, POLLIN, read_until_);
-    if (is_late_) return -1;
-    const ssize_t count = recv(socket_, to, size, MSG_DONTWAIT);
-    if (count >= 0 || !is_to_be_tried_again(errno)) return count;
+    const ssize_t count = recv(socket_, part, sizeof part, MSG_DONTWAIT);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && is_to_be_tried_again(errno)) return Input::incomplete;
+    if (count < 0 || (count == 0 && received_.empty())) return Input::ended;
+    if (count == 0) {
+      refuse_with(problem(400, "Bad request",
+                          head_size_ > 0 ? "the body ends in the middle" : "the head ends in the middle"));
+      return Input::complete;
+    }
+    received_.append(part, static_cast<std::size_t>(count));
+    if (is_complete(judge)) return Input::complete;
   }
 }
 
-ReceivedHead Connection::receive_head() {
+void Connection::refuse_with(Response refusal) {
+  refusal_ = std::move(refusal);
+  received_ = std::string();
+}
+
+bool Connection::is_complete(const Judge& judge) {
+  if (head_size_ == 0 && !read_head(judge)) return refusal_.has_value();
+  return refusal_ || received_.size() >= request_size();
+}
+
+/// False while the head is incomplete or too long.
+bool Connection::read_head(const Judge& judge) {
   constexpr std::string_view kEnd = "\r\n\r\n";
-  char part[4096];
-  while (received_.size() <= kLongestHead) {
-    const ssize_t count = receive(part, sizeof part);
-    if (is_late_ && received_.empty()) return {"", {}, true};
-    if (is_late_) return {"", problem(408, "Request timeout", "the request did not come in time")};
-    if (count <= 0 && received_.empty()) return {"", {}, true};
-    if (count <= 0) return {"", problem(400, "Bad request", "the head ends in the middle")};
-    const std::size_t seen = received_.size() < kEnd.size() ? 0 : received_.size() - kEnd.size() + 1;
-    received_.append(part, static_cast<std::size_t>(count));
-    const std::size_t end = received_.find(kEnd, seen);
-    if (end != received_.npos && end + kEnd.size() <= kLongestHead)
-      return {received_.substr(0, end + kEnd.size())};
+  const std::size_t end = received_.find(kEnd);
+  if (end == received_.npos || end + kEnd.size() > kLongestHead) {
+    if (received_.size() > kLongestHead)
+      refuse_with(problem(431, "Request header fields too large", "a head has at most 16 KiB"));
+    return false;
   }
-  return {"", problem(431, "Request header fields too large", "a head has at most 16 KiB")};
+  head_size_ = end + kEnd.size();
+  ParsedHead parsed = parse_head(std::string_view(received_).substr(0, head_size_));
+  head_ = std::move(parsed.head);
+  refusal_ = parsed.refusal ? std::move(parsed.refusal) : judge(head_);
+  if (refusal_ || received_.size() >= request_size()) return true;
+  received_.reserve(request_size());
+  if (head_.count("Expect") > 0) write("HTTP/1.1 100 Continue\r\n\r\n");
+  return true;
 }
 
 ssize_t Connection::read(char* to, std::size_t size) {
-  size = std::min(size, left_);
-  if (size == 0) return 0;
-  ssize_t count = 0;
-  if (position_ < received_.size()) {
-    size = std::min(size, received_.size() - position_);
-    std::memcpy(to, received_.data() + position_, size);
-    position_ += size;
-    count = static_cast<ssize_t>(size);
-  } else {
-    count = receive(to, size);
-  }
-  if (count > 0) left_ -= static_cast<std::size_t>(count);
-  return count;
-}
-
-/// All of it, or -1: so that a client that reads byte by byte gains no time.
-ssize_t Connection::write(const char* from, std::size_t size) {
-  constexpr std::size_t kSlowest = 64 << 10;  // bytes a second
-  constexpr std::string_view kStatusLine = "HTTP/1.1 ";
-  if (std::string_view(from, size).starts_with(kStatusLine)) status_ = std::atoi(from + kStatusLine.size());
-  const auto until = Steady::now() + milliseconds(5000 + 1000 * size / kSlowest);
-  for (std::size_t sent = 0; sent < size;) {
-    if (!wait_for(socket_, POLLOUT, until)) return -1;
-    const ssize_t count = send(socket_, from + sent, size - sent, MSG_DONTWAIT | MSG_NOSIGNAL);
-    if (count < 0 && !is_to_be_tried_again(errno)) return -1;
-    if (count > 0) sent += static_cast<std::size_t>(count);
-  }
-  bytes_written_ += size;
+  size = std::min(size, request_size() - position_);
+  std::memcpy(to, received_.data() + position_, size);
+  position_ += size;
   return static_cast<ssize_t>(size);
 }
 
+/// What the client does not take at once is kept.
+ssize_t Connection::write(const char* from, std::size_t size) {
+  constexpr std::string_view kStatusLine = "HTTP/1.1 ";
+  if (std::string_view(from, size).starts_with(kStatusLine)) status_ = std::atoi(from + kStatusLine.size());
+  if (!send_unsent()) return -1;
+  bytes_written_ += size;
+  std::size_t sent = 0;
+  while (unsent() == 0 && sent < size) {
+    const ssize_t count = send(socket_, from + sent, size - sent, MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) break;
+    sent += static_cast<std::size_t>(count);
+  }
+  if (sent < size && unsent() == 0) stuck_since_ = Steady::now();
+  unsent_.append(from + sent, size - sent);
+  return static_cast<ssize_t>(size);
+}
+
+bool Connection::send_unsent() const {
+  while (unsent() > 0 && !is_gone_) {
+    const ssize_t count = send(socket_, unsent_.data() + sent_, unsent(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && is_to_be_tried_again(errno)) return true;
+    if (count < 0) is_gone_ = true;
+    if (count > 0) sent_ += static_cast<std::size_t>(count);
+  }
+  if (!unsent_.empty()) unsent_ = std::string();
+  sent_ = 0;
+  return !is_gone_;
+}
+
+Connection::Steady::time_point Connection::send_until() const {
+  constexpr std::size_t kSlowest = 64 << 10;  // bytes a second
+  return stuck_since_ + milliseconds(5000 + 1000 * unsent_.size() / kSlowest);
+}
+
+/// Asked before each part of a stream.
 bool Connection::is_writable() const {
+  if (!send_unsent() || (unsent() > 0 && Steady::now() > send_until())) return false;
   pollfd watched{socket_, POLLRDHUP, 0};
   return poll(&watched, 1, 0) == 0;
 }
 
-void Connection::refuse(const Response& response, bool is_head_request) {
+void Connection::answer(const Response& response) {
   std::string text = "HTTP/1.1 " + std::to_string(response.status) +
                      " \r\nContent-Type: " + response.content_type +
                      "\r\nContent-Length: " + std::to_string(response.body.size()) +
                      "\r\nConnection: close\r\nX-Content-Type-Options: nosniff\r\n";
   for (const auto& [name, value] : response.headers) text += name + ": " + value + "\r\n";
-  text += "\r\n" + (is_head_request ? "" : response.body);
+  text += "\r\n" + (head_.method == "HEAD" ? "" : response.body);
   write(text);
 }
 
+void Connection::end_sending() { shutdown(socket_, SHUT_WR); }
+
 bool Connection::has_unread() const {
   int bytes = 0;
-  return ioctl(socket_, FIONREAD, &bytes) == 0 && bytes > 0;
+  const bool has_come = ioctl(socket_, FIONREAD, &bytes) == 0 && bytes > 0;
+  return has_come || (status_ >= 400 && announces_body(head_));
 }
 
-void Connection::absorb() {
-  constexpr milliseconds kIdle{250};
+bool Connection::absorb() {
   constexpr std::size_t kMost = 16 << 20;
-  shutdown(socket_, SHUT_WR);
-  char part[4096];
-  const auto until = std::max(read_until_, Steady::now() + kIdle);
-  for (std::size_t taken = 0; taken < kMost && Steady::now() < until;) {
-    if (!wait_for(socket_, POLLIN, Steady::now() + kIdle)) return;
+  char part[16 << 10];
+  while (absorbed_ < kMost) {
     const ssize_t count = recv(socket_, part, sizeof part, MSG_DONTWAIT);
-    if (count <= 0) return;
-    taken += static_cast<std::size_t>(count);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return count < 0 && is_to_be_tried_again(errno);
+    absorbed_ += static_cast<std::size_t>(count);
   }
+  return false;
 }
 
 }  // namespace capstan

@@ -1,43 +1,53 @@
 #pragma once
-// One client's connection, as the library reads and writes it: never longer than a deadline, never more than
-// a budget.
+// One client's connection. Its request is taken in as the bytes come and its answer is sent as the client
+// takes it, so that no thread ever waits for a client.
 #include <httplib.h>
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 
+#include "runner/web/head.hpp"
 #include "runner/web/message.hpp"
 
 namespace capstan {
 
-struct ReceivedHead {
-  std::string text;                      ///< up to and with the empty line
-  std::optional<Response> refusal = {};  ///< why it is not complete
-  bool is_empty = false;                 ///< nothing came: nobody waits for an answer
-};
-
 class Connection : public httplib::Stream {
  public:
   using Steady = std::chrono::steady_clock;
+  /// Why a request with this head is not read further, if it is not.
+  using Judge = std::function<std::optional<Response>(const Head&)>;
 
-  /// Owns the socket. \param read_until  however much has come by then, no more is read
-  Connection(int socket, Steady::time_point read_until);
+  /// Owns the socket.
+  explicit Connection(int socket);
   ~Connection() override;
 
-  ReceivedHead receive_head();
-  /// What read() gives from now on: the head again, and that many bytes of body.
-  void allow(std::size_t head_bytes, std::size_t body_bytes) { left_ = head_bytes + body_bytes; }
+  enum class Input { incomplete, complete, ended };
+  /// Takes what has come. Complete: the whole request is there, or a reason to refuse it.
+  Input take_in(const Judge& judge);
+  /// What has come is forgotten.
+  void refuse_with(Response refusal);
+  const std::optional<Response>& refusal() const { return refusal_; }
+  const Head& head() const { return head_; }
+  bool has_begun() const { return !received_.empty(); }
+
+  /// Sends what the client takes now; false once it takes nothing more.
+  bool send_unsent() const;
+  std::size_t unsent() const { return unsent_.size() - sent_; }
+  /// After this the rest is not sent any more.
+  Steady::time_point send_until() const;
 
   /// Writes an answer that the library has no part in.
-  void refuse(const Response& response, bool is_head_request);
-  /// Something has come that nobody has read.
+  void answer(const Response& response);
+  /// Nothing more is sent; the client reads what was.
+  void end_sending();
+  /// Something has come that nobody has read, or may still come.
   bool has_unread() const;
-  /// Takes what is still coming in for a moment: closing upon unread bytes would reset the connection, and
-  /// the client might never see its answer.
-  void absorb();
+  /// Takes what has come and forgets it; false at its end, or when it is too much.
+  bool absorb();
 
-  bool is_readable() const override { return left_ > 0; }
+  bool is_readable() const override { return position_ < request_size(); }
   bool is_writable() const override;  ///< the client is still there
   ssize_t read(char* to, std::size_t size) override;
   ssize_t write(const char* from, std::size_t size) override;
@@ -47,22 +57,33 @@ class Connection : public httplib::Stream {
   /// The library asks for it only to refuse descriptors from 1024 on, which select() could not take.
   socket_t socket() const override { return 0; }
 
-  // For the log:
-  const std::string& peer() const { return peer_; }
-  int status() const { return status_; }
+  int descriptor() const { return socket_; }
+  Steady::time_point accepted() const { return accepted_; }
+  std::size_t bytes_held() const { return received_.size() + unsent(); }
+  const std::string& peer() const { return peer_; }  ///< its address, "-" if it has none
+  int status() const { return status_; }             ///< of the last answer
   std::size_t bytes_written() const { return bytes_written_; }
 
  private:
-  ssize_t receive(char* to, std::size_t size);
+  std::size_t request_size() const { return head_size_ + head_.content_length; }
+  bool is_complete(const Judge& judge);
+  bool read_head(const Judge& judge);
 
   int socket_;
-  std::string peer_;  ///< its address, "-" if it has none; asked for at once, as one that is gone has none
-  Steady::time_point read_until_;
-  std::string received_;      ///< the head and what came with it
-  std::size_t position_ = 0;  ///< of read() in that
-  std::size_t left_ = 0;
-  bool is_late_ = false;
-  int status_ = 0;  ///< of the last answer
+  std::string peer_;
+  Steady::time_point accepted_ = Steady::now();
+  std::string received_;  ///< the head and the body, as far as they have come
+  std::size_t head_size_ = 0;
+  Head head_;
+  std::optional<Response> refusal_;
+  std::size_t position_ = 0;  ///< of read() in what was received
+  // What the client has not taken yet changes also where the library only asks whether it is there:
+  mutable std::string unsent_;
+  mutable std::size_t sent_ = 0;  ///< of those
+  mutable bool is_gone_ = false;
+  Steady::time_point stuck_since_;
+  std::size_t absorbed_ = 0;
+  int status_ = 0;
   std::size_t bytes_written_ = 0;
 };
 

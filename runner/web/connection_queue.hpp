@@ -1,45 +1,31 @@
 #pragma once
-// Connections that wait for a thread: no more than a number, beyond which they wait in the kernel's backlog.
-#include <unistd.h>
-
-#include <chrono>
+// Connections whose request is complete and waits for a thread.
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
-#include <optional>
+
+#include "runner/web/connection.hpp"
 
 namespace capstan {
 
-struct Accepted {
-  int socket;
-  std::chrono::steady_clock::time_point time;  ///< waiting for a thread counts, too
-};
-
 class ConnectionQueue {
  public:
-  explicit ConnectionQueue(std::size_t most) : most_(most) {}
-  ~ConnectionQueue() {
-    for (const Accepted& accepted : waiting_) ::close(accepted.socket);
+  void push(std::unique_ptr<Connection> connection) {
+    const std::lock_guard lock(mutex_);
+    bytes_ += connection->bytes_held();
+    waiting_.push_back(std::move(connection));
+    changed_.notify_one();
   }
 
-  /// Waits for room; false once the queue is closed.
-  bool push(const Accepted& accepted) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return is_closed_ || waiting_.size() < most_; });
-    if (is_closed_) return false;
-    waiting_.push_back(accepted);
-    changed_.notify_all();
-    return true;
-  }
-
-  /// Waits for a connection; nothing once the queue is closed.
-  std::optional<Accepted> pop() {
+  /// Waits for a connection; nothing once the queue is closed and empty.
+  std::unique_ptr<Connection> pop() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return is_closed_ || !waiting_.empty(); });
-    if (is_closed_) return std::nullopt;
-    const Accepted first = waiting_.front();
+    if (waiting_.empty()) return nullptr;
+    std::unique_ptr<Connection> first = std::move(waiting_.front());
     waiting_.pop_front();
-    changed_.notify_all();
+    bytes_ -= first->bytes_held();
     return first;
   }
 
@@ -49,16 +35,22 @@ class ConnectionQueue {
     changed_.notify_all();
   }
 
-  bool is_closed() {
+  std::size_t size() {
     const std::lock_guard lock(mutex_);
-    return is_closed_;
+    return waiting_.size();
+  }
+
+  /// Of their requests.
+  std::size_t bytes() {
+    const std::lock_guard lock(mutex_);
+    return bytes_;
   }
 
  private:
-  const std::size_t most_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Accepted> waiting_;
+  std::deque<std::unique_ptr<Connection>> waiting_;
+  std::size_t bytes_ = 0;
   bool is_closed_ = false;
 };
 

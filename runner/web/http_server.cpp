@@ -1,12 +1,12 @@
 #include "runner/web/http_server.hpp"
 
-#include <netinet/tcp.h>
+#include <malloc.h>
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <iostream>
+#include <mutex>
 #include <stdexcept>
 
 #include "runner/results/timestamp.hpp"
@@ -16,8 +16,6 @@
 
 namespace capstan {
 namespace {
-
-using Steady = std::chrono::steady_clock;
 
 /// A header that may stand in several lines is one list.
 std::string all_values(const httplib::Request& in, const std::string& name) {
@@ -42,11 +40,13 @@ Request received_by(const httplib::Request& in) {
 }
 
 /// The library decodes %-escapes in header values and adds fields of its own: it is given what was checked.
-/// Without Accept-Encoding it compresses nothing, and one tag means one sequence of bytes.
+/// Without Accept-Encoding it compresses nothing, and one tag means one sequence of bytes. Expect was
+/// answered.
 void put_fields(const Head& head, httplib::Request& in) {
   in.headers.clear();
   for (const auto& [name, value] : head.fields)
-    if (!equal_ignoring_case(name, "Accept-Encoding")) in.headers.emplace(name, value);
+    if (!equal_ignoring_case(name, "Accept-Encoding") && !equal_ignoring_case(name, "Expect"))
+      in.headers.emplace(name, value);
 }
 
 void put_head(const Response& response, httplib::Response& out) {
@@ -55,43 +55,36 @@ void put_head(const Response& response, httplib::Response& out) {
   for (const auto& [name, value] : response.headers) out.set_header(name, value);
 }
 
-/// More may be on its way: that of a request whose head is not known, too.
-bool announces_body(const Head& head) {
-  return head.method.empty() || head.content_length > 0 || head.count("Transfer-Encoding") > 0;
-}
-
 /// One daemon a port: SO_REUSEPORT, the library's default, would let a second one share it unnoticed.
 void allow_quick_restart(int socket) {
   const int yes = 1;
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
+/// What a large answer took goes back to the system: sixteen threads would keep a share each. After every answer
+/// that would take a third of the time.
+void give_back_memory(std::size_t answer_bytes) {
+  constexpr std::size_t kLarge = 256 << 10;
+  static std::mutex trimming;
+  if (answer_bytes < kLarge) return;
+  if (const std::unique_lock lock(trimming, std::try_to_lock); lock) malloc_trim(0);
+}
+
 }  // namespace
 
-HttpServer::Wakeable::Wakeable(HttpServer& server, int socket) : server_(server), socket_(socket) {
-  const std::lock_guard lock(server_.reading_mutex_);
-  server_.reading_.insert(socket_);
-  if (server_.waiting_.is_closed()) shutdown(socket_, SHUT_RD);
-}
-
-HttpServer::Wakeable::~Wakeable() {
-  const std::lock_guard lock(server_.reading_mutex_);
-  server_.reading_.erase(socket_);
-}
-
 HttpServer::HttpServer(Service& service, Access access)
-    : service_(service), access_(std::move(access)), log_(service.data().path() / "requests.log") {
+    : service_(service),
+      access_(std::move(access)),
+      log_(service.data().path() / "requests.log"),
+      loop_(complete_, [this](const Head& head) { return refusal_of(head); }) {
   configure();
+  for (int i = 0; i < kThreads; ++i) threads_.emplace_back([this] { serve_all(); });
 }
 
 HttpServer::~HttpServer() {
-  waiting_.close();
-  if (svr_sock_ != INVALID_SOCKET) shutdown(svr_sock_, SHUT_RDWR);  // accept() returns
-  const int listening = svr_sock_.exchange(INVALID_SOCKET);         // streams end
-  {
-    const std::lock_guard lock(reading_mutex_);
-    for (const int socket : reading_) shutdown(socket, SHUT_RD);
-  }
+  loop_.stop_receiving();
+  complete_.close();
+  const int listening = svr_sock_.exchange(INVALID_SOCKET);  // streams end
   for (std::thread& thread : threads_) thread.join();
   if (listening != INVALID_SOCKET) close(listening);
 }
@@ -105,7 +98,7 @@ void HttpServer::configure() {
   Patch(any_path, answer).Delete(any_path, answer).Options(any_path, answer);
   set_socket_options(allow_quick_restart);
   set_payload_max_length(kLongestBody);
-  // What the library finds wrong by itself, such as a body that ends in the middle.
+  // What the library finds wrong by itself.
   set_error_handler([this](const httplib::Request&, httplib::Response& out) {
     if (out.body.empty())
       send(out, problem(out.status, "Bad request", "this is no request that can be answered"));
@@ -121,28 +114,19 @@ int HttpServer::listen_at(const Address& address) {
   constexpr int kBacklog = 1024;  // the library's 5 would refuse a crowd
   if (port <= 0 || ::listen(svr_sock_, kBacklog) != 0)
     throw std::runtime_error("cannot listen on " + url_of(address) + ": is it taken?");
-  threads_.emplace_back([this] { accept_all(); });
-  for (int i = 0; i < kThreads; ++i) threads_.emplace_back([this] { serve_all(); });
+  loop_.listen(svr_sock_);
   return port;
 }
 
-void HttpServer::accept_all() {
-  const int listening = svr_sock_;
-  while (!waiting_.is_closed()) {
-    const int socket = accept4(listening, nullptr, nullptr, SOCK_CLOEXEC);
-    if (socket < 0) {  // no descriptor to be had, as a rule: others are given back soon
-      if (errno != EINTR && errno != ECONNABORTED) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      continue;
-    }
-    if (!waiting_.push({socket, Steady::now()})) close(socket);
-  }
-}
-
 void HttpServer::serve_all() {
-  while (const auto accepted = waiting_.pop()) {
+  while (std::unique_ptr<Connection> connection = complete_.pop()) {
     ++traffic().connections;
     try {
-      serve(*accepted);
+      serve(*connection);
+      report(*connection);
+      const std::size_t size = connection->bytes_written();
+      loop_.finish(std::move(connection));
+      give_back_memory(size);
     } catch (const std::exception& error) {
       std::clog << "capstan: a connection: " << error.what() << std::endl;
     }
@@ -150,37 +134,16 @@ void HttpServer::serve_all() {
   }
 }
 
-void HttpServer::serve(const Accepted& accepted) {
-  constexpr std::chrono::milliseconds kLeast{250};  // for those that waited long for a thread
-  const int yes = 1;
-  setsockopt(accepted.socket, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
-  Connection connection(accepted.socket, std::max(accepted.time + kLongestReceive, Steady::now() + kLeast));
-  const Wakeable wakeable(*this, accepted.socket);
-  const ReceivedHead received = connection.receive_head();
-  if (received.is_empty) return;
-  Head head;
-  if (const auto refusal = refusal_of(received, head)) {
-    connection.refuse(*refusal, head.method == "HEAD");
-  } else {
-    pass_on(connection, received, head);
-  }
-  report(connection, head, accepted);
-  if (connection.has_unread() || (connection.status() >= 400 && announces_body(head))) connection.absorb();
-}
-
-std::optional<Response> HttpServer::refusal_of(const ReceivedHead& received, Head& head) const {
-  if (received.refusal) return received.refusal;
-  ParsedHead parsed = parse_head(received.text);
-  head = std::move(parsed.head);
-  if (!parsed.refusal) parsed.refusal = refuse_access(access_, head);
-  if (!parsed.refusal) parsed.refusal = refuse_hazards(head);
-  return std::move(parsed.refusal);
-}
-
-void HttpServer::pass_on(Connection& connection, const ReceivedHead& received, const Head& head) {
-  connection.allow(received.text.size(), head.content_length);
+void HttpServer::serve(Connection& connection) {
+  if (connection.refusal()) return connection.answer(*connection.refusal());
   bool is_closed = false;
-  process_request(connection, true, is_closed, [&](httplib::Request& in) { put_fields(head, in); });
+  process_request(connection, true, is_closed,
+                  [&](httplib::Request& in) { put_fields(connection.head(), in); });
+}
+
+std::optional<Response> HttpServer::refusal_of(const Head& head) const {
+  auto refusal = refuse_access(access_, head);
+  return refusal ? refusal : refuse_hazards(head);
 }
 
 void HttpServer::send(httplib::Response& out, const Response& response) {
@@ -208,9 +171,10 @@ void HttpServer::send_stream(httplib::Response& out, const Response& response) {
       [](bool) { --traffic().streams; });
 }
 
-void HttpServer::report(const Connection& connection, const Head& head, const Accepted& accepted) {
+void HttpServer::report(const Connection& connection) {
   constexpr std::size_t kLongest = 200;
-  const std::chrono::duration<double, std::milli> time = Steady::now() - accepted.time;
+  const Head& head = connection.head();
+  const std::chrono::duration<double, std::milli> time = Connection::Steady::now() - connection.accepted();
   traffic().count(connection.status(), time);
   char numbers[100];
   std::snprintf(numbers, sizeof numbers, " %d %zu B %.1f ms", connection.status(), connection.bytes_written(),

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
-#include <thread>
 
 #include "runner/web/http_server.hpp"
 #include "tests/support/fake_clock.hpp"
@@ -49,10 +48,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size > kMost || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) return 0;
   if (send(ends[0], data, size, 0) != static_cast<ssize_t>(size)) std::abort();
   shutdown(ends[0], SHUT_WR);
-  std::string answer;
-  std::thread client([&] { answer = receive_all(ends[0]); });
-  server.http.serve({ends[1], std::chrono::steady_clock::now()});
-  client.join();
+  server.http.adopt(ends[1]);
+  const std::string answer = receive_all(ends[0]);
   close(ends[0]);
   if (!is_allowed(answer)) std::abort();
   return 0;

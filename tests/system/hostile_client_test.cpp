@@ -73,6 +73,41 @@ class HostileClientTest : public testing::Test {
   long files_ = 0;
 };
 
+/// Far more than threads, all of one client: the last of them is still there when others have been answered.
+TEST_F(HostileClientTest, IdleConnectionsDelayNobody) {
+  for (const char* beginning : {"", "GET /healthz HTTP/1.1\r\nHost: loc"}) {
+    std::vector<RawConnection> held;
+    for (int i = 0; i < 600; ++i) {
+      held.emplace_back(daemon_.url());
+      held.back().send(beginning);
+    }
+    EXPECT_EQ(status_of(answer_to(request_text("GET", "/healthz"))), 200);
+    EXPECT_FALSE(held.back().closes_within(std::chrono::milliseconds(0)));
+  }
+}
+
+TEST_F(HostileClientTest, ClientWithMostConnectionsLosesTheOldestSoThatOthersFindRoom) {
+  std::vector<RawConnection> held;
+  for (int i = 0; i < 1100; ++i) held.emplace_back(daemon_.url());
+  EXPECT_EQ(status_of(answer_to(request_text("GET", "/healthz"))), 200);
+  EXPECT_TRUE(held.front().closes_within(std::chrono::seconds(1)));
+}
+
+/// Bodies of a mebibyte that stop before the end.
+TEST_F(HostileClientTest, LargeBodiesThatStopTakeLittleMemory) {
+  std::vector<RawConnection> held;
+  for (int i = 0; i < 200; ++i) {
+    held.emplace_back(daemon_.url());
+    held.back().send(
+        "POST /v1/studies HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: "
+        "1048576\r\n\r\n" +
+        std::string(1'000'000, ' '));
+  }
+  EXPECT_EQ(status_of(answer_to(request_text("GET", "/healthz"))), 200);
+  EXPECT_LT(resident_mb(daemon_.pid()), memory_mb_ + 150);
+  for (RawConnection& connection : held) EXPECT_THAT(status_of(connection.receive_all()), AnyOf(408, 503, 0));
+}
+
 TEST_F(HostileClientTest, SilentClientsHoldNoThreadForLong) { hold_with(""); }
 
 TEST_F(HostileClientTest, SlowHeadsHoldNoThreadForLong) { hold_with("GET /healthz HTTP/1.1\r\nHost: loc"); }

@@ -1,0 +1,80 @@
+#include "runner/web/connection.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "tests/support/raw_connection.hpp"
+
+namespace capstan {
+namespace {
+
+class ConnectionTest : public testing::Test {
+ protected:
+  ConnectionTest() {
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends) != 0) std::abort();
+    client_ = ends[0];
+    server_ = std::make_unique<Connection>(ends[1]);
+  }
+  ~ConnectionTest() override { close(client_); }
+
+  Connection::Input send(std::string_view bytes) {
+    EXPECT_EQ(::send(client_, bytes.data(), bytes.size(), 0), static_cast<ssize_t>(bytes.size()));
+    return server_->take_in([](const Head&) { return std::nullopt; });
+  }
+  std::size_t receive() {
+    char part[1 << 16];
+    std::size_t all = 0;
+    for (ssize_t count; (count = recv(client_, part, sizeof part, 0)) > 0;)
+      all += static_cast<std::size_t>(count);
+    return all;
+  }
+
+  int client_;
+  std::unique_ptr<Connection> server_;
+};
+
+TEST_F(ConnectionTest, RequestIsCompleteWithItsLastByte) {
+  using Input = Connection::Input;
+  const std::string request = request_text("POST", "/v1/studies", "", "{\"a\": 1}");
+  for (std::size_t i = 0; i + 1 < request.size(); ++i)
+    EXPECT_EQ(send(std::string_view(request).substr(i, 1)), Input::incomplete) << i;
+  EXPECT_EQ(send(std::string_view(request).substr(request.size() - 1)), Input::complete);
+  EXPECT_FALSE(server_->refusal());
+  EXPECT_EQ(server_->head().target, "/v1/studies");
+  std::string read(request.size() + 10, ' ');
+  EXPECT_EQ(server_->read(read.data(), read.size()), static_cast<ssize_t>(request.size()));
+  EXPECT_EQ(read.substr(0, request.size()), request);
+}
+
+TEST_F(ConnectionTest, RequestThatEndsInTheMiddleIsRefused) {
+  send("POST /v1/studies HTTP/1.1\r\nHost: localhost\r\nContent-Length: 9\r\n\r\n{");
+  shutdown(client_, SHUT_WR);
+  EXPECT_EQ(server_->take_in([](const Head&) { return std::nullopt; }), Connection::Input::complete);
+  EXPECT_EQ(server_->refusal()->status, 400);
+}
+
+TEST_F(ConnectionTest, LongAnswerIsKeptForASlowClientWithoutWaiting) {
+  const std::string answer(10 << 20, 'a');
+  EXPECT_EQ(server_->write(answer.data(), answer.size()), static_cast<ssize_t>(answer.size()));
+  EXPECT_GT(server_->unsent(), 0u);
+  std::size_t received = 0;
+  while (server_->unsent() > 0) {
+    received += receive();
+    EXPECT_TRUE(server_->send_unsent());
+  }
+  EXPECT_EQ(received + receive(), answer.size());
+}
+
+TEST_F(ConnectionTest, NothingIsKeptForAClientThatIsGone) {
+  const std::string answer(10 << 20, 'a');
+  server_->write(answer.data(), answer.size());
+  close(client_);
+  EXPECT_FALSE(server_->send_unsent());
+  EXPECT_EQ(server_->unsent(), 0u);
+  client_ = dup(0);
+}
+
+}  // namespace
+}  // namespace capstan
