@@ -1,4 +1,4 @@
--- Fills `schedule` and `waiting` from the tables that they sum up: after a change of format, and by `capstan doctor`.
+-- Fills `schedule`, `waiting` and `totals` from the tables that they sum up: after a change of format, and by `capstan doctor`.
 -- What an operator has chosen (priority, pause) and whose turn it is stay.
 INSERT OR IGNORE INTO schedule (number, study_id) SELECT number, id FROM studies;
 
@@ -31,3 +31,6 @@ DELETE FROM waiting;
 INSERT INTO waiting SELECT s.number, w.position, c.id, c.not_before
   FROM study_cases w JOIN studies s ON s.id = w.study_id JOIN cases c ON c.id = w.case_id
   WHERE c.state = 'queued' AND s.cancelled_at IS NULL;
+
+DELETE FROM totals WHERE what = 'cases';
+INSERT INTO totals SELECT 'cases', state, count(*) FROM cases GROUP BY state;

@@ -18,6 +18,7 @@ void keep_freed_memory() {
   constexpr int kKept = 1'000'000;  // bytes a thread, at most
   mallopt(M_TRIM_THRESHOLD, kKept);
   mallopt(M_MMAP_THRESHOLD, kKept);
+  mallopt(M_ARENA_MAX, 4);  // of sixteen threads each would keep as much
 }
 
 }  // namespace

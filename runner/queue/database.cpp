@@ -1,5 +1,7 @@
 #include "runner/queue/database.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "runner/queue/schema.hpp"
@@ -45,22 +47,25 @@ std::size_t format_of(Database& database) {
 }  // namespace
 
 IdleStatements::~IdleStatements() {
-  for (const auto& [sql, statement] : idle_) sqlite3_finalize(statement);
+  for (sqlite3_stmt* statement : idle_) sqlite3_finalize(statement);
 }
 
 sqlite3_stmt* IdleStatements::take(std::string_view sql) {
-  const auto found = idle_.find(sql);
-  if (found == idle_.end()) return nullptr;
-  sqlite3_stmt* statement = found->second;
-  idle_.erase(found);
+  const auto found = std::find_if(idle_.rbegin(), idle_.rend(),
+                                  [&](sqlite3_stmt* statement) { return sqlite3_sql(statement) == sql; });
+  if (found == idle_.rend()) return nullptr;
+  sqlite3_stmt* statement = *found;
+  idle_.erase(std::next(found).base());
   return statement;
 }
 
 void IdleStatements::give_back(sqlite3_stmt* statement) {
   sqlite3_reset(statement);
   sqlite3_clear_bindings(statement);
-  const char* sql = sqlite3_sql(statement);
-  if (!sql || !idle_.emplace(sql, statement).second) sqlite3_finalize(statement);
+  idle_.push_back(statement);
+  if (idle_.size() <= kMost) return;
+  sqlite3_finalize(idle_.front());
+  idle_.erase(idle_.begin());
 }
 
 Statement::Statement(sqlite3* connection, std::shared_ptr<IdleStatements> idle, std::string_view sql)

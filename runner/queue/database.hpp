@@ -4,12 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runner/queue/clock.hpp"
 #include "runner/queue/write_probe.hpp"
@@ -29,16 +29,17 @@ class DatabaseUnavailable : public DatabaseError {
   using DatabaseError::DatabaseError;
 };
 
-/// Statements that were compiled before and wait for their next use, by their SQL: compiling costs more than
-/// running.
+/// Statements that were compiled before and wait for their next use: compiling costs more than running. Each
+/// takes some 20 kB, so beyond a number the one that was not used for longest goes.
 class IdleStatements {
  public:
+  static constexpr std::size_t kMost = 64;
   ~IdleStatements();
   sqlite3_stmt* take(std::string_view sql);  ///< nullptr if there is none
   void give_back(sqlite3_stmt* statement);
 
  private:
-  std::map<std::string, sqlite3_stmt*, std::less<>> idle_;
+  std::vector<sqlite3_stmt*> idle_;  ///< the last used last
 };
 
 /// One SQL statement with its values bound; rows come one by one.

@@ -24,6 +24,11 @@ std::string_view word(Ending ending) {
   return "diverged";
 }
 
+/// Of a row of unwanted_cases: a study has the case, or has another in its place.
+constexpr const char* kIsWanted =
+    "EXISTS (SELECT 1 FROM study_cases w WHERE w.case_id = unwanted_cases.case_id)"
+    " OR EXISTS (SELECT 1 FROM study_cases w WHERE w.replaces = unwanted_cases.case_id)";
+
 /// 128 random bits: no two claims share a token.
 std::string new_token() {
   std::random_device entropy;
@@ -114,6 +119,50 @@ bool JobQueue::cancel(const std::string& study_id) {
   database_.execute("UPDATE cases SET cancel_requested = 1 WHERE state = 'running'" + unwanted, study_id);
   transaction.commit();
   return true;
+}
+
+std::optional<Deletion> JobQueue::remove(const std::string& study_id) {
+  Transaction transaction(database_);
+  if (!cancel(study_id)) return std::nullopt;
+  const int all = database_.execute(
+      "INSERT OR IGNORE INTO unwanted_cases SELECT case_id FROM study_cases WHERE study_id = ?1"
+      " UNION SELECT replaces FROM study_cases WHERE study_id = ?1 AND replaces IS NOT NULL",
+      study_id);
+  for (const char* table : {"study_cases", "schedule"})
+    database_.execute("DELETE FROM " + std::string(table) + " WHERE study_id = ?", study_id);
+  database_.execute("DELETE FROM studies WHERE id = ?", study_id);
+  const int kept = database_.execute("DELETE FROM unwanted_cases WHERE " + std::string(kIsWanted));
+  transaction.commit();
+  return Deletion{all - kept, kept};
+}
+
+std::vector<std::string> JobQueue::delete_unwanted(int most) {
+  if (!database_.query("SELECT 1 FROM unwanted_cases LIMIT 1").step()) return {};
+  Transaction transaction(database_);
+  database_.execute("DELETE FROM unwanted_cases WHERE " +
+                    std::string(kIsWanted));  // submitted again meanwhile
+  std::vector<std::string> ids;
+  Statement row = database_.query(
+      "SELECT case_id FROM unwanted_cases LEFT JOIN cases ON id = case_id WHERE state IS NOT 'running' LIMIT "
+      "?",
+      most);
+  while (row.step()) ids.push_back(row.text(0));
+  for (const std::string& id : ids) {
+    for (const char* table : {"histories", "results", "attempts"})
+      database_.execute("DELETE FROM " + std::string(table) + " WHERE case_id = ?", id);
+    database_.execute("DELETE FROM cases WHERE id = ?", id);
+  }
+  transaction.commit();
+  fail_point("deleted");
+  return ids;
+}
+
+void JobQueue::forget(const std::vector<std::string>& case_ids) {
+  if (case_ids.empty()) return;
+  Transaction transaction(database_, Survives::kill);
+  for (const std::string& id : case_ids)
+    database_.execute("DELETE FROM unwanted_cases WHERE case_id = ?", id);
+  transaction.commit();
 }
 
 bool JobQueue::set_priority(const std::string& study_id, int priority) {

@@ -36,6 +36,12 @@ struct Claim {
   std::string handle;  ///< the executor's name of the run, once it has started
 };
 
+/// What became of the cases of a deleted study.
+struct Deletion {
+  int deleted = 0;  ///< cases, with their results
+  int kept = 0;     ///< cases that other studies want, too
+};
+
 /// A client sent two different studies under one key.
 class KeyReused : public std::invalid_argument {
  public:
@@ -64,6 +70,14 @@ class JobQueue {
 
   /// False if there is no such study. Queued cases are cancelled at once, running ones marked for it.
   bool cancel(const std::string& study_id);
+
+  /// The study goes at once, and with it the cases that no other study wants: they become unwanted, the
+  /// running ones among them end first. Nothing if there is no such study.
+  std::optional<Deletion> remove(const std::string& study_id);
+  /// Deletes at most that many unwanted cases that do not run; their ids. Whoever has removed their run
+  /// directories says so by `forget`; until then, also of a later daemon, they are given again.
+  std::vector<std::string> delete_unwanted(int most);
+  void forget(const std::vector<std::string>& case_ids);
 
   // The following return false if there is no such study.
   bool set_priority(const std::string& study_id, int priority);  ///< the higher, the sooner; 0 at first

@@ -26,12 +26,13 @@ std::string counted(Database& database, const std::string& name, const char* sql
 
 std::string metrics_text(Database& database, std::size_t cores) {
   return described("capstan_cases", "gauge", "Cases by state.") +
-         counted(database, "capstan_cases", "state", "SELECT state, count(*) FROM cases GROUP BY state") +
+         counted(database, "capstan_cases", "state",
+                 "SELECT name, count FROM totals WHERE what = 'cases' AND count > 0") +
          described("capstan_studies", "gauge", "Studies.") +
          counted(database, "capstan_studies", "SELECT count(*) FROM schedule") +
          described("capstan_attempts_total", "counter", "Attempts by the way they ended.") +
          counted(database, "capstan_attempts_total", "ending",
-                 "SELECT ending, count(*) FROM attempts WHERE ending IS NOT NULL GROUP BY 1") +
+                 "SELECT name, count FROM totals WHERE what = 'attempts'") +
          described("capstan_cores", "gauge", "Cases that may run side by side.") + "capstan_cores " +
          std::to_string(cores) + "\n";
 }

@@ -12,6 +12,9 @@
 
 namespace capstan {
 
+/// A page ends early when its items have as many bytes of JSON as this.
+inline constexpr std::size_t kPageBytes = 1 << 20;
+
 /// A part of a list: at most `limit` items, those that come after the item at `after`.
 struct PageRequest {
   static constexpr int kMost = 1000;
@@ -24,7 +27,7 @@ struct Page {
   std::optional<std::int64_t> next;  ///< `after` of the next page, if there is one
 };
 
-/// The studies, the newest first.
+/// The studies, the newest first. Long descriptions are cut.
 Page list_studies(Database& database, const PageRequest& wanted);
 
 /// One study: its axes, the number of its points, how many of its distinct cases are in which state and how many

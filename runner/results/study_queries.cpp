@@ -80,6 +80,16 @@ ordered_json study_of(Database& database, const Statement& row) {
   return study;
 }
 
+/// The beginning of a long description; the whole one is in the study itself.
+void shorten(ordered_json& description) {
+  constexpr std::size_t kLongest = 200;
+  std::string& text = description.get_ref<std::string&>();
+  if (text.size() <= kLongest) return;
+  std::size_t end = kLongest;
+  while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // not within a character
+  text = text.substr(0, end) + "...";
+}
+
 }  // namespace
 
 Page list_studies(Database& database, const PageRequest& wanted) {
@@ -87,12 +97,15 @@ Page list_studies(Database& database, const PageRequest& wanted) {
   Statement row =
       database.query(std::string(kColumns) + "WHERE s.number < ? ORDER BY s.number DESC LIMIT ?",
                      wanted.after.value_or(std::numeric_limits<std::int64_t>::max()), wanted.limit + 1);
+  std::size_t size = 0;
   for (std::int64_t last = 0; row.step(); last = row.integer(kNumber)) {
-    if (std::ssize(page.items) == wanted.limit) {
+    if (std::ssize(page.items) == wanted.limit || size > kPageBytes) {
       page.next = last;
       break;
     }
     page.items.push_back(study_of(database, row));
+    shorten(page.items.back()["description"]);
+    size += page.items.back().dump().size();
   }
   return page;
 }

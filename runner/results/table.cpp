@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "runner/results/printable.hpp"
+
 namespace capstan {
 namespace {
 
@@ -17,7 +19,7 @@ std::string number_text(double number, Format... format) {
 
 std::string short_text(const ordered_json& value) {
   if (value.is_number_float()) return number_text(value.get<double>(), std::chars_format::general, 4);
-  const std::string text = plain(value);
+  const std::string text = printable(plain(value));
   return text.substr(0, text.find('\n'));  // the rest of a message is for `show`
 }
 

@@ -8,6 +8,8 @@
 #include "runner/queue/replacement.hpp"
 #include "runner/results/result.hpp"
 #include "runner/service/orphans.hpp"
+#include "solver/case/content_id.hpp"
+#include "solver/state/checkpoint_files.hpp"
 
 namespace capstan {
 namespace {
@@ -51,20 +53,29 @@ Submission Service::submit(const Study& study, const std::string& key) {
     waiting_.push_back(&mine);
   }
   {
-    const std::lock_guard lock(writing_);
-    if (!mine.is_answered) submit_all_waiting();
+    const std::lock_guard alone(submitting_);
+    while (!mine.is_answered) {
+      const std::lock_guard lock(writing_);
+      submit_waiting();
+    }
   }
   if (mine.error) std::rethrow_exception(mine.error);
   changed_();
   return mine.submission;
 }
 
-/// One commit, and one wait for the disk, for all whose clients came while the disk was busy.
-void Service::submit_all_waiting() {
+/// One commit, and one wait for the disk, for all whose clients came while the disk was busy; of large
+/// studies only as many as let the loop have its turn soon.
+void Service::submit_waiting() {
+  constexpr std::size_t kManyCases = 5000;
   std::vector<Waiting*> together;
   {
     const std::lock_guard lock(joining_);
-    together.swap(waiting_);
+    std::size_t cases = 0;
+    for (; !waiting_.empty() && cases < kManyCases; waiting_.pop_front()) {
+      together.push_back(waiting_.front());
+      cases += waiting_.front()->study.cases.size();
+    }
   }
   std::exception_ptr error;
   try {
@@ -94,6 +105,16 @@ bool Service::write(const std::function<bool()>& change) {
 
 bool Service::cancel(const std::string& study_id) {
   return write([&] { return queue_.cancel(study_id); });
+}
+
+/// The rows go at the next ticks, the run directories after them.
+std::optional<Deletion> Service::remove(const std::string& study_id) {
+  std::optional<Deletion> deletion;
+  write([&] {
+    deletion = queue_.remove(study_id);
+    return deletion.has_value();
+  });
+  return deletion;
 }
 
 bool Service::set_priority(const std::string& study_id, int priority) {
@@ -128,6 +149,7 @@ void Service::tick() {
   for (Run& run : runs_) write_down(run);
   std::erase_if(runs_, [](const Run& run) { return run.is_recorded; });
   queue_.give_back_expired();
+  delete_unwanted();
   while (!draining_ && runs_.size() < cores_ && start_next()) {
   }
 }
@@ -137,6 +159,18 @@ std::string Service::why_nothing_starts() const {
   if (std::filesystem::space(runs).available >= kept_free_) return "";
   return "less than " + std::to_string(kept_free_ / 1'000'000) + " MB are free in " + runs.string() +
          ": nothing is started";
+}
+
+/// A few at a time, so that nobody waits for long. A directory that cannot be removed is tried again.
+void Service::delete_unwanted() {
+  constexpr int kAtOnce = 50;
+  std::vector<std::string> removed;
+  for (const std::string& id : queue_.delete_unwanted(kAtOnce)) {
+    std::error_code error;
+    std::filesystem::remove_all(data_.run(id).path(), error);
+    if (!error) removed.push_back(id);
+  }
+  queue_.forget(removed);
 }
 
 /// A directory that is complete, of a case that nobody has recorded, is recorded: the database came back from
@@ -260,6 +294,17 @@ void Service::record(const Claim& claim, const RunOutcome& outcome) {
   fail_point("recording");
   transaction.commit();
   fail_point("recorded");
+  remove_spare_checkpoints(claim.case_id, outcome.kind);
+}
+
+/// Of a case that is done the newest checkpoint is kept, which would be needed to prolong it; one that
+/// diverged does the same again from any.
+void Service::remove_spare_checkpoints(const std::string& case_id, RunOutcome::Kind ending) const {
+  if (ending != RunOutcome::Kind::done && ending != RunOutcome::Kind::diverged) return;
+  const auto both = checkpoint_files(data_.run(case_id).path(), case_id, kNumericsVersion);
+  std::error_code ignored;  // they take room, no more
+  std::filesystem::remove(both[1].path, ignored);
+  if (ending == RunOutcome::Kind::diverged) std::filesystem::remove(both[0].path, ignored);
 }
 
 bool Service::record_ending(const Claim& claim, const RunOutcome& outcome) {

@@ -3,6 +3,7 @@
 //
 // Everything that it knows is in the database and the run directories; killed at any moment, its successor
 // goes on.
+#include <deque>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -46,6 +47,7 @@ class Service {
   // False if there is no such study.
   bool cancel(const std::string& study_id);
   bool set_priority(const std::string& study_id, int priority);
+  std::optional<Deletion> remove(const std::string& study_id);
   bool pause(const std::string& study_id, bool is_paused);
   bool retry(const std::string& study_id);
   /// At another fidelity, which may help diverged cases, too; the faults that this one would have. Of an
@@ -96,7 +98,8 @@ class Service {
     bool is_answered = false;
   };
 
-  void submit_all_waiting();
+  void submit_waiting();
+  void delete_unwanted();
   bool write(const std::function<bool()>& change);
   void take_over();
   bool start_next();
@@ -110,6 +113,7 @@ class Service {
   void ask_to_stop(Run& run);
   void kill(Run& run);
   void record(const Claim& claim, const RunOutcome& outcome);
+  void remove_spare_checkpoints(const std::string& case_id, RunOutcome::Kind ending) const;
   bool record_ending(const Claim& claim, const RunOutcome& outcome);
 
   const DataDirectory& data_;
@@ -121,8 +125,9 @@ class Service {
   std::function<void()> changed_ = [] {};
 
   std::mutex joining_;  ///< guards waiting_; never held while waiting for the other one
-  std::vector<Waiting*> waiting_;
-  std::mutex writing_;  ///< guards database_ and queue_
+  std::deque<Waiting*> waiting_;
+  std::mutex submitting_;  ///< held by the one client that waits for writing_ in order to submit
+  std::mutex writing_;     ///< guards database_ and queue_
   Database database_;
   Readers readers_;
   JobQueue queue_;

@@ -20,6 +20,7 @@ Response get_case_schema(Service& service, const Request& request, const std::st
 Response post_study(Service& service, const Request& request, const std::string& id);
 Response get_studies(Service& service, const Request& request, const std::string& id);
 Response get_study(Service& service, const Request& request, const std::string& id);
+Response delete_study(Service& service, const Request& request, const std::string& id);
 Response get_study_cases(Service& service, const Request& request, const std::string& id);
 Response get_phase_diagram(Service& service, const Request& request, const std::string& id);
 Response get_study_events(Service& service, const Request& request, const std::string& id);

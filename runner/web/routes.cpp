@@ -23,6 +23,7 @@ constexpr Route kRoutes[] = {
     {"POST", "/v1/studies", post_study, nullptr, {}, true},
     {"GET", "/v1/studies", get_studies, page_parameters},
     {"GET", "/v1/studies/{id}", get_study},
+    {"DELETE", "/v1/studies/{id}", delete_study},
     {"GET", "/v1/studies/{id}/cases", get_study_cases, case_list_parameters},
     {"GET", "/v1/studies/{id}/phase-diagram", get_phase_diagram, phase_diagram_parameters},
     {"GET", "/v1/studies/{id}/events", get_study_events},

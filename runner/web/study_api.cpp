@@ -1,8 +1,12 @@
+#include <filesystem>
+
+#include "runner/results/disk_warning.hpp"
 #include "runner/results/phase_diagram.hpp"
 #include "runner/results/queries.hpp"
 #include "runner/study/study.hpp"
 #include "runner/web/api.hpp"
 #include "runner/web/page_query.hpp"
+#include "solver/case/run_size.hpp"
 
 namespace capstan {
 namespace {
@@ -11,6 +15,15 @@ using nlohmann::ordered_json;
 
 Response no_such_study(const std::string& id) {
   return problem(404, "Not found", "there is no study \"" + id + "\"");
+}
+
+/// One that will not fit is taken all the same: space may be made meanwhile.
+ordered_json warnings_of(const Study& study, const Service& service) {
+  double bytes = 0;
+  for (const Case& c : study.cases) bytes += run_size(c);
+  const auto free = static_cast<double>(std::filesystem::space(service.data().runs()).available);
+  const std::string warning = disk_warning(bytes, free, service.data().runs().string());
+  return warning.empty() ? ordered_json::array() : ordered_json::array({warning});
 }
 
 ordered_json with_links(ordered_json study) {
@@ -32,7 +45,8 @@ Response post_study(Service& service, const Request& request, const std::string&
   }
   const Submission submission = service.submit(*parsed.value, request.idempotency_key);
   const Readers::Reader database = service.reader();
-  const ordered_json study = with_links(*find_study(*database, submission.study_id));
+  ordered_json study = with_links(*find_study(*database, submission.study_id));
+  study["warnings"] = submission.is_new ? warnings_of(*parsed.value, service) : ordered_json::array();
   Response response = json_response(submission.is_new ? 201 : 200, study);
   response.headers["Location"] = study["links"]["self"];
   return response;
@@ -75,6 +89,13 @@ Response get_phase_diagram(Service& service, const Request& request, const std::
   if (!diagram.value)
     return problem(400, "Invalid diagram", "the query does not say which diagram to draw", diagram.issues);
   return json_response(200, to_json(*diagram.value));
+}
+
+Response delete_study(Service& service, const Request&, const std::string& id) {
+  const auto deletion = service.remove(id);
+  if (!deletion) return no_such_study(id);
+  return json_response(200,
+                       {{"study", id}, {"deleted_cases", deletion->deleted}, {"kept_cases", deletion->kept}});
 }
 
 Response cancel_study(Service& service, const Request& request, const std::string& id) {

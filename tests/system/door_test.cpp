@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <thread>
+
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/raw_connection.hpp"
@@ -142,6 +144,37 @@ TEST_F(DoorTest, FollowersLeaveHalfOfTheThreadsFree) {
   wait_for(client, "/v1/studies/" + id, [&](const auto&) {
     return ask(daemon, request_text("GET", "/metrics")).find("capstan_http_streams 0\n") != std::string::npos;
   });
+}
+
+TEST_F(DoorTest, BodyUnderWayAtTheEndIsToBeSentAgain) {
+  Daemon daemon(data_.path());
+  RawConnection client(daemon.url());
+  client.send(
+      "POST /v1/studies HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: "
+      "99\r\n\r\n{");
+  EXPECT_EQ(status_of(ask(daemon, request_text("GET", "/healthz"))), 200);
+  EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+  const std::string answer = client.receive_all();
+  EXPECT_EQ(status_of(answer), 503);
+  EXPECT_THAT(answer, HasSubstr("Retry-After: "));
+}
+
+TEST_F(DoorTest, StudyIsDeletedByADaemonThatIsKilledMeanwhile) {
+  std::string id;
+  {
+    Daemon daemon(data_.path(), {}, "deleted");
+    Client client(daemon.url());
+    id = client.post("/v1/studies", study_document("gone", {{"Ca", {0.25, 0.75}}}).dump())["id"];
+    wait_for_cases(client, id, "done", 2);
+    ask(daemon, request_text("DELETE", "/v1/studies/" + id));
+    EXPECT_TRUE(daemon.ends_within(std::chrono::minutes(1)));
+  }
+  const Daemon daemon(data_.path());
+  EXPECT_EQ(status_of(ask(daemon, request_text("GET", "/v1/studies/" + id))), 404);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!is_empty(data_.path() / "runs") && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::yield();
+  EXPECT_TRUE(is_empty(data_.path() / "runs"));
 }
 
 TEST_F(DoorTest, DaemonEndsAtOnceWhileClientsHang) {

@@ -27,6 +27,23 @@ class DatabaseTest : public testing::Test {
   Database database_{file_, Database::Access::write};
 };
 
+/// Each kept one takes some 20 kB: without a bound the memory of a server grew with the variety of questions.
+TEST_F(DatabaseTest, StatementsThatWereNotUsedForLongestAreGivenUp) {
+  sqlite3* connection = nullptr;
+  ASSERT_EQ(sqlite3_open(":memory:", &connection), SQLITE_OK);
+  const auto idle = std::make_shared<IdleStatements>();
+  for (int i = 0; i < 1000; ++i)
+    for (const std::string& sql : {"SELECT " + std::to_string(i), std::string("SELECT 'often'")})
+      EXPECT_TRUE(Statement(connection, idle, sql).step());
+  std::size_t kept = 0;
+  bool has_often = false;
+  for (sqlite3_stmt* each = nullptr; (each = sqlite3_next_stmt(connection, each)); ++kept)
+    has_often = has_often || sqlite3_sql(each) == std::string("SELECT 'often'");
+  EXPECT_EQ(kept, IdleStatements::kMost);
+  EXPECT_TRUE(has_often);
+  sqlite3_close_v2(connection);
+}
+
 TEST_F(DatabaseTest, ValuesComeBackAsTheyWereBound) {
   Statement row =
       database_.query("SELECT ?1, ?2, ?3, ?4", std::int64_t{1} << 60, 0.1, "a \"quoted\" word", NAN);

@@ -10,6 +10,7 @@
 #include "runner/queue/replacement.hpp"
 #include "runner/queue/schema.hpp"
 #include "runner/results/result.hpp"
+#include "solver/case/content_id.hpp"
 #include "tests/support/fake_clock.hpp"
 #include "tests/support/sample_studies.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -414,6 +415,80 @@ TEST_F(JobQueueTest, PointsOfAnOldStudyThatIsReadOtherwiseTodayAreThoseOfItsCase
   derive_old_points(database_);
   EXPECT_EQ(text("SELECT json_extract(asked, '$.Ca') FROM study_cases WHERE study_id = ? AND position = 1", id),
             "0.75");
+}
+
+TEST_F(JobQueueTest, DeletedStudyIsGoneWithTheCasesThatNoOtherWants) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  const std::string other = queue_.submit(sample_study("other", {{"Ca", {0.75, 1}}})).study_id;
+  const auto deletion = queue_.remove(id);
+  ASSERT_TRUE(deletion);
+  EXPECT_EQ(deletion->deleted, 1);
+  EXPECT_EQ(deletion->kept, 1);
+  EXPECT_EQ(count("studies"), 1);
+  EXPECT_EQ(queue_.delete_unwanted(10), std::vector<std::string>{case_id(two_cases_.cases[0])});
+  EXPECT_EQ(count("cases"), 2);
+  EXPECT_EQ(count("waiting"), 2);
+  EXPECT_EQ(state_of(case_id(two_cases_.cases[1])), "queued");
+  EXPECT_FALSE(queue_.remove(id));
+  EXPECT_TRUE(queue_.remove(other));
+  queue_.delete_unwanted(10);
+  for (const char* table : {"studies", "study_cases", "schedule", "waiting", "cases", "attempts", "results"})
+    EXPECT_EQ(count(table), 0) << table;
+}
+
+TEST_F(JobQueueTest, RunningCaseOfADeletedStudyEndsBeforeItGoes) {
+  const std::string id = queue_.submit(sample_study("one", {{"Ca", {0.25}}})).study_id;
+  const Claim claim = queue_.claim().value();
+  queue_.remove(id);
+  EXPECT_TRUE(queue_.is_to_be_cancelled(claim));
+  EXPECT_TRUE(queue_.delete_unwanted(10).empty());
+  EXPECT_TRUE(queue_.interrupted(claim, "stopped"));
+  EXPECT_EQ(queue_.delete_unwanted(10).size(), 1u);
+  EXPECT_EQ(count("cases"), 0);
+}
+
+TEST_F(JobQueueTest, CaseThatIsSubmittedAgainBeforeItIsDeletedStays) {
+  queue_.remove(queue_.submit(two_cases_).study_id);
+  queue_.submit(two_cases_);
+  EXPECT_TRUE(queue_.delete_unwanted(10).empty());
+  EXPECT_EQ(count("unwanted_cases"), 0);
+  EXPECT_EQ(state_of(case_id(two_cases_.cases[0])), "queued");
+}
+
+TEST_F(JobQueueTest, DeletedCaseIsRememberedUntilItsDirectoryIsGone) {
+  queue_.remove(queue_.submit(two_cases_).study_id);
+  const std::vector<std::string> ids = queue_.delete_unwanted(10);
+  ASSERT_EQ(ids.size(), 2u);
+  EXPECT_EQ(queue_.delete_unwanted(10), ids) << "a daemon was killed in between";
+  queue_.forget(ids);
+  EXPECT_TRUE(queue_.delete_unwanted(10).empty());
+}
+
+TEST_F(JobQueueTest, CaseThatAnotherOneReplacesIsKeptWithIt) {
+  const std::string id = queue_.submit(sample_study("one", {{"Ca", {0.25}}})).study_id;
+  const Claim claim = queue_.claim().value();
+  queue_.finish(claim, Ending::failed, "no answer");
+  ASSERT_TRUE(replace_failed(database_, id, "fine").empty());
+  queue_.remove(queue_.submit(sample_study("again", {{"Ca", {0.25}}})).study_id);
+  EXPECT_TRUE(queue_.delete_unwanted(10).empty());
+  EXPECT_EQ(state_of(claim.case_id), "failed");
+  EXPECT_EQ(queue_.remove(id)->deleted, 2);
+}
+
+TEST_F(JobQueueTest, TotalsFollowTheCasesAndNeverLoseAnAttempt) {
+  const auto total = [&](const char* what, const char* name) {
+    Statement row = database_.query("SELECT count FROM totals WHERE what = ? AND name = ?", what, name);
+    return row.step() ? row.integer(0) : 0;
+  };
+  const std::string id = queue_.submit(two_cases_).study_id;
+  EXPECT_EQ(total("cases", "queued"), 2);
+  queue_.finish(queue_.claim().value(), Ending::done, "");
+  EXPECT_EQ(total("cases", "queued"), 1);
+  EXPECT_EQ(total("cases", "done"), 1);
+  queue_.remove(id);
+  queue_.delete_unwanted(10);
+  EXPECT_EQ(total("cases", "done"), 0);
+  EXPECT_EQ(total("attempts", "done"), 1);
 }
 
 }  // namespace

@@ -453,5 +453,58 @@ TEST_F(ServiceTest, SecondDaemonOnOneDirectoryIsRefused) {
   EXPECT_THROW(DataDirectory{directory_.path()}, std::runtime_error);
 }
 
+TEST_F(ServiceTest, DeletedStudyLeavesNeitherRowsNorRunDirectories) {
+  const std::string id = service_->submit(sample_study("gone", {{"Ca", {0.25, 0.75}}})).study_id;
+  service_->tick();
+  complete("run 1", "tumbling");
+  service_->tick();
+  const std::filesystem::path first = directory_of("run 1").path(), second = directory_of("run 2").path();
+  EXPECT_TRUE(service_->remove(id));
+  service_->tick();
+  EXPECT_FALSE(std::filesystem::exists(first));
+  EXPECT_EQ(executor_.asked_to_stop, std::vector<RunHandle>{"run 2"});
+  EXPECT_TRUE(std::filesystem::exists(second)) << "its run has not ended";
+  executor_.exit("run 2", 75);
+  service_->tick();
+  EXPECT_FALSE(std::filesystem::exists(second));
+}
+
+TEST_F(ServiceTest, DaemonKilledBetweenTheRowsAndTheDirectoriesOfADeletedStudyHasASuccessorThatGoesOn) {
+  const std::string id = service_->submit(sample_study("gone", {{"Ca", {0.25}}})).study_id;
+  service_->tick();
+  complete("run 1", "tumbling");
+  service_->tick();
+  service_->remove(id);
+  {
+    Database database(data_.database(), Database::Access::write);
+    JobQueue queue(database, clock_);
+    EXPECT_EQ(queue.delete_unwanted(10).size(), 1u);
+  }
+  restart();
+  EXPECT_TRUE(std::filesystem::exists(directory_of("run 1").path()));
+  service_->tick();
+  EXPECT_FALSE(std::filesystem::exists(directory_of("run 1").path()));
+}
+
+TEST_F(ServiceTest, EndedCaseKeepsNoMoreCheckpointsThanItNeeds) {
+  service_->submit(sample_study("kept", {{"Ca", {0.25, 0.75}}}));
+  service_->tick();
+  for (const char* run : {"run 1", "run 2"})
+    for (const char* file : {"checkpoint-a.h5", "checkpoint-b.h5"})
+      std::ofstream(directory_of(run).path() / file) << "state";
+  const auto checkpoints = [&](const char* run) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(directory_of(run).path()))
+      count += entry.path().extension() == ".h5" ? 1 : 0;
+    return count;
+  };
+  complete("run 1", "tumbling");
+  std::ofstream(directory_of("run 2").result_file()) << R"({"stop": "diverged", "motion": null})";
+  executor_.exit("run 2", 3);
+  service_->tick();
+  EXPECT_EQ(checkpoints("run 1"), 1);
+  EXPECT_EQ(checkpoints("run 2"), 0);
+}
+
 }  // namespace
 }  // namespace capstan

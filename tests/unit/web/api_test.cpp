@@ -288,6 +288,29 @@ TEST_F(ApiTest, PhaseDiagramHasTheMotionOfEachCell) {
   EXPECT_EQ(diagram["rows"][0][1]["state"], "running");
 }
 
+TEST_F(ApiTest, DeletedStudyIsNotFoundAnyMore) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one();
+  const std::string case_path =
+      "/v1/cases/" + json(get(path + "/cases"))["cases"][0]["id"].get<std::string>();
+  const ordered_json deleted = json(ask("DELETE", path));
+  EXPECT_EQ(deleted["deleted_cases"], 2);
+  EXPECT_EQ(deleted["kept_cases"], 0);
+  EXPECT_EQ(get(path).status, 404);
+  EXPECT_EQ(ask("DELETE", path).status, 404);
+  service_->tick();
+  EXPECT_EQ(get(case_path).status, 404);
+}
+
+TEST_F(ApiTest, LongDescriptionStandsInTheStudyAndNotInTheList) {
+  nlohmann::json document = study_document("long", {{"Ca", {0.25}}});
+  std::string description(199, 'a');
+  for (int i = 0; i < 100'000; ++i) description += "\xc3\xa9";
+  document["description"] = description;
+  const std::string id = json(ask("POST", "/v1/studies", document.dump()))["id"];
+  EXPECT_EQ(json(get("/v1/studies/" + id))["description"], description);
+  EXPECT_EQ(json(get("/v1/studies"))["studies"][0]["description"], std::string(199, 'a') + "...");
+}
+
 TEST_F(ApiTest, StudyIsCancelled) {
   const std::string id = submit_and_complete_one();
   const ordered_json study = json(ask("POST", "/v1/studies/" + id + "/cancel"));

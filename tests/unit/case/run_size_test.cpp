@@ -1,0 +1,34 @@
+#include "solver/case/run_size.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/parsed_case.hpp"
+
+namespace capstan {
+namespace {
+
+double size(const std::string& keys) { return run_size(testing::parsed_case("{\"Ca\": 0.1" + keys + "}")); }
+
+/// Sums of the files that real runs left, with one checkpoint.
+TEST(RunSize, IsThatOfRealRuns) {
+  EXPECT_NEAR(size(R"(, "fluid": "stokes", "until": {"kt": 2}, "fidelity": "fast")"), 260e3, 40e3);
+  EXPECT_NEAR(size(R"(, "fluid": "stokes", "until": {"kt": 2}, "fidelity": {"nodes": 2562})"), 920e3, 100e3);
+  EXPECT_NEAR(size(R"(, "fluid": "quasisteady", "until": {"kt": 0.2}, "fidelity": "standard",
+                      "outputs": {"shapes_every": 0.1})"),
+              6.9e6, 1e6);
+  EXPECT_NEAR(size(R"(, "fluid": "transient", "Re": 1, "until": {"kt": 0.3}, "fidelity": "fast",
+                      "outputs": {"shapes_every": 0.1})"),
+              50.1e6, 5e6);
+  EXPECT_NEAR(size(R"(, "fluid": "quasisteady", "fidelity": {"nodes": 642, "scheme": "paper", "dx": 0.2},
+                      "until": {"kt": 0.1}, "outputs": {"shapes_every": 0.05})"),
+              43.9e6, 8e6);
+}
+
+TEST(RunSize, GrowsWithTheShapesThatAreAskedFor) {
+  const double without = size(R"(, "outputs": {"shapes_every": 0})");
+  const double with = size(R"(, "outputs": {"shapes_every": 0.1})");
+  EXPECT_GT(with, without + 300 * 2562 * 72);
+}
+
+}  // namespace
+}  // namespace capstan
