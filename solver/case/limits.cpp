@@ -63,8 +63,8 @@ constexpr Limit kLimits[] = {
     {"/outputs/shapes_every", shapes, 1e5, "shapes", "raise outputs.shapes_every or lower until.kt"},
     {"/outputs/shapes_every", gigabytes_of_shapes, 50, "GB of shapes on disk",
      "raise outputs.shapes_every, lower until.kt, or take fewer nodes"},
-    // of a large workstation
-    {"/fidelity", gigabytes_of_grid, 64, "GB of memory", "raise dx or lower box"},
+    // of a workstation
+    {"/fidelity", gigabytes_of_grid, 16, "GB of memory", "raise dx or lower box"},
     {"/until/kt", days, 366, "days of computing on one core",
      "lower until.kt, or take a coarser fidelity (fewer nodes, a larger dx)"},
 };

@@ -23,8 +23,9 @@ inline FlowReport lost_flow(std::string fault) {
   return {.error = std::numeric_limits<double>::infinity(), .converged = false, .fault = std::move(fault)};
 }
 
-/// The fault of every model on a grid that the capsule has left.
-inline constexpr const char* kOutsideOfDomain = "the capsule left the domain or its positions are not finite";
+/// The faults of every model.
+inline constexpr const char* kLostMembrane = "the membrane's positions or forces are not finite";
+inline constexpr const char* kOutsideOfDomain = "the capsule has left the box: take a larger box, or the fluid stokes, which has none";
 
 /// Flow around (and inside) one capsule in the shear flow u = (y, 0, 0). Units: a = k = mu_a = 1.
 class FlowModel {

@@ -66,6 +66,7 @@ StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, d
   field_ = &field;
   report_ = {};
   if (step_ == 0) step_ = options_.largest_step / 10;
+  int refusals = 0;
   do {
     if (spectral_radius_ == 0 || steps_since_estimate_ >= kStepsAnEstimate)
       estimate_spectral_radius(kt, positions, velocities);
@@ -77,13 +78,14 @@ StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, d
       ++steps_since_estimate_;
       step_ = std::min(options_.largest_step, std::max(step * factor, factor >= 1 ? step_ : 0.));
       report_.converged = true;  // what was lost on the way was tried again with a smaller step
-      return {.kt = step == kt_end - kt ? kt_end : kt + step, .flow = report_};
+      return {.kt = step == kt_end - kt ? kt_end : kt + step, .flow = report_, .refusals = refusals};
     }
+    ++refusals;
     step_ = step * factor;
     spectral_radius_ = 0;  // the likely culprit
   } while (step_ >= kSmallestStep);
   if (report_.converged) report_ = lost_flow("no time step is small enough for the membrane's motion");
-  return {.kt = kt, .flow = report_};
+  return {.kt = kt, .flow = report_, .refusals = refusals};
 }
 
 /// The longest that error and stability allow; the last two steps before the end are equal, lest one be a sliver.

@@ -8,7 +8,9 @@
 
 #include "solver/mesh/geometry.hpp"
 #include "solver/mesh/shapes.hpp"
+#include "solver/mesh/surface_quality.hpp"
 #include "solver/simulation/history_archive.hpp"
+#include "solver/simulation/remedy.hpp"
 #include "solver/state/points_archive.hpp"
 
 namespace capstan {
@@ -39,6 +41,7 @@ std::optional<Outcome> Simulation::step() {
       stepper_->advance(field, before_.kt, end, before_.velocities, now_.positions);  // eqs. 37, 38
   now_.kt = step.kt;
   if (auto outcome = failure(step.flow)) return outcome;
+  if (auto outcome = refusal(step)) return outcome;
   note(step.flow);
   ++statistics_.steps;
   return find_flow();
@@ -83,25 +86,29 @@ Simulation::Simulation(const Case& c)
 }
 
 std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
-  const auto at_this_time = [&](const std::string& what) {
-    std::ostringstream text;
-    text << "at kt = " << now_.kt << ": " << what;
-    return text.str();
-  };
-  for (Eigen::Index vertex = 0; vertex < now_.positions.cols(); ++vertex)
-    if (!now_.positions.col(vertex).allFinite())
-      return Outcome{Stop::diverged,
-                     at_this_time("vertex " + std::to_string(vertex) + " has no finite position")};
-  if (!flow.converged)
-    return Outcome{std::isfinite(flow.error) ? Stop::not_converged : Stop::diverged,
-                   at_this_time(flow.fault)};
+  if (!flow.converged) return stopped(std::isfinite(flow.error) ? Stop::not_converged : Stop::diverged, flow.fault);
+  if (!now_.positions.allFinite()) return stopped(Stop::diverged, "a position of the membrane is not finite");
   constexpr double kLargestDrift = 0.1;  // the first symptom of a time step that is too large
   const double drift = volume(now_.positions, faces()) / initial_volume_ - 1;
-  if (!(std::abs(drift) < kLargestDrift))
-    return Outcome{Stop::diverged,
-                   at_this_time("the volume has drifted by " + std::to_string(std::lround(100 * drift)) +
-                                " %; try a smaller kdt or dx")};
+  if (!(std::abs(drift) < kLargestDrift)) return stopped(Stop::diverged, volume_drift_in_words(drift));
   return std::nullopt;
+}
+
+/// On a surface that is lost a step that is refused shrinks without end, and the flow costs ever more.
+std::optional<Outcome> Simulation::refusal(const StepReport& step) {
+  constexpr int kMostRefusals = 20;
+  if (step.refusals > 0 && is_lost(surface_quality(sphere_.mesh, now_.positions))) refusals_ += step.refusals;
+  if (refusals_ <= kMostRefusals) return std::nullopt;
+  return stopped(Stop::diverged, "the steps become ever shorter");
+}
+
+/// \param what has gone wrong; when, and what to do, are added
+Outcome Simulation::stopped(Stop stop, const std::string& what) const {
+  std::ostringstream text;
+  text << "at kt = " << now_.kt << ": " << what;
+  const std::string advice = remedy(case_, surface_quality(sphere_.mesh, now_.positions), stop == Stop::diverged);
+  if (!advice.empty()) text << ". " << advice;
+  return {stop, text.str()};
 }
 
 void Simulation::note(const FlowReport& flow) {
@@ -176,6 +183,7 @@ void Simulation::save_checkpoint(RunOutput& output) const {
                              statistics_.worst_flow_error, statistics_.volume_drift, statistics_.area_drift});
   archive.put("iterations_since_record", iterations_since_record_);
   archive.put("last_flow_error", last_flow_error_);
+  archive.put("refusals", refusals_);
   output.checkpoint(std::move(archive));
 }
 
@@ -193,6 +201,7 @@ void Simulation::load(const StateArchive& archive) {
   statistics_ = {long(saved[0]), long(saved[1]), saved[2], saved[3], saved[4]};
   iterations_since_record_ = int(archive.number("iterations_since_record"));
   last_flow_error_ = archive.number("last_flow_error");
+  refusals_ = int(archive.number("refusals"));
 }
 
 }  // namespace capstan

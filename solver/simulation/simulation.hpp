@@ -73,6 +73,8 @@ class Simulation {
   std::optional<Outcome> find_flow();
   FlowReport solve_flow(double at, const Points& positions, Points& velocities);
   std::optional<Outcome> failure(const FlowReport& flow) const;
+  std::optional<Outcome> refusal(const StepReport& step);
+  Outcome stopped(Stop stop, const std::string& what) const;
   std::optional<Outcome> finished() const;
   void note(const FlowReport& flow);
   void put_out(RunOutput& output);
@@ -100,6 +102,7 @@ class Simulation {
   double initial_volume_, initial_area_;
   int iterations_since_record_ = 0;
   double last_flow_error_ = 0;
+  int refusals_ = 0;  ///< of steps, on a surface that is lost
   RunStatistics statistics_;
 };
 

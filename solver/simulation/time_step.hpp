@@ -14,6 +14,7 @@ using VelocityField = std::function<FlowReport(double kt, const Points& position
 struct StepReport {
   double kt;
   FlowReport flow;
+  int refusals = 0;  ///< attempts whose error was too large
 };
 
 class TimeStepper {

@@ -37,7 +37,8 @@ CompositeLbm<T>::CompositeLbm(const TriangleMesh& mesh, Orbits orbits, const Com
 template <class T>
 FlowReport CompositeLbm<T>::solve(double kt, const Points& positions, const Points& forces,
                                   Points& velocities) {
-  if (!forces.allFinite() || !put_membrane(positions)) return lost_flow(kOutsideOfDomain);
+  if (!positions.allFinite() || !forces.allFinite()) return lost_flow(kLostMembrane);
+  if (!put_membrane(positions)) return lost_flow(kOutsideOfDomain);
   if (viscosity_) put_viscosity(positions);
   extrapolate_to(kt);
   put_forces(forces);
@@ -149,7 +150,7 @@ FlowReport CompositeLbm<T>::cycle_until_converged(const Points& positions, Point
     last = velocities;
   }
   report.converged = false;
-  report.fault = "the multigrid cycles did not converge";
+  report.fault = "the multigrid cycles did not converge: raise tolerance, or take the fluid stokes";
   return report;
 }
 

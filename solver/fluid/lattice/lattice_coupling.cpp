@@ -24,7 +24,7 @@ LatticeCoupling::LatticeCoupling(const Case& c, const TriangleMesh& mesh, const 
 
 bool LatticeCoupling::place_membrane(const Points& positions, const Points& forces) {
   constexpr int kMargin = 1;  // the jump of viscosity is smoothed over two cells
-  if (!forces.allFinite() || !boundary_.place(positions, kMargin)) return false;
+  if (!boundary_.place(positions, kMargin)) return false;
   for (int c = 0; c < 3; ++c)
     if (boundary_.box_lo()[c] < 0 || boundary_.box_lo()[c] + boundary_.box_size()[c] > cells_) return false;
   force_.reset(boundary_.box_lo(), boundary_.box_size());

@@ -30,6 +30,7 @@ PaperLbm::PaperLbm(const Case& c, const TriangleMesh& mesh)
 }
 
 FlowReport PaperLbm::solve(double, const Points& positions, const Points& forces, Points& velocities) {
+  if (!positions.allFinite() || !forces.allFinite()) return lost_flow(kLostMembrane);
   if (!coupling_.put_membrane(positions, forces, levels_)) return lost_flow(kOutsideOfDomain);
   return cycle_until_converged(velocities);
 }
@@ -53,7 +54,7 @@ FlowReport PaperLbm::cycle_until_converged(Points& velocities) {
     return report;
   }
   report.converged = false;
-  report.fault = "the multigrid cycles did not converge";
+  report.fault = "the multigrid cycles did not converge: raise tolerance, or take the fluid stokes";
   return report;
 }
 

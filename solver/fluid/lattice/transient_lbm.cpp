@@ -31,6 +31,7 @@ TransientLbm<Real>::TransientLbm(const Case& c, const TriangleMesh& mesh)
 template <class Real>
 FlowReport TransientLbm<Real>::solve(double, const Points& positions, const Points& forces,
                                      Points& velocities) {
+  if (!positions.allFinite() || !forces.allFinite()) return lost_flow(kLostMembrane);
   if (!coupling_.place_membrane(positions, forces)) return lost_flow(kOutsideOfDomain);
   lattice_.set_force(&coupling_.force());
   lattice_.set_viscosity(coupling_.viscosity());

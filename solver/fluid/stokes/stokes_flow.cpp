@@ -36,7 +36,7 @@ StokesFlow::StokesFlow(const TriangleMesh& mesh, Orbits orbits, const Options& o
     : mesh_(mesh), orbits_(std::move(orbits)), neighbourhood_(mesh_, orbits_.representatives()), options_(options) {}
 
 FlowReport StokesFlow::solve(double, const Points& positions, const Points& forces, Points& velocities) {
-  if (!positions.allFinite() || !forces.allFinite()) return lost_flow("the membrane's forces are not finite");
+  if (!positions.allFinite() || !forces.allFinite()) return lost_flow(kLostMembrane);
   const Surface surface(mesh_, positions);
   const std::vector<CloseFace> close = neighbourhood_.close_faces(surface);
   const Points driven = orbits_.restrict(shear_flow(positions)) +
@@ -70,7 +70,7 @@ FlowReport StokesFlow::solve_for_contrast(const Surface& surface, const std::vec
   FlowReport report{.iterations = solution.products, .error = solution.relative_error};
   if (!(solution.relative_error <= options_.tolerance)) {
     report.converged = false;
-    report.fault = "the boundary integral equation did not converge";
+    report.fault = "the boundary integral equation did not converge; V far from 1 and thin parts of the capsule make it hard";
   }
   return report;
 }

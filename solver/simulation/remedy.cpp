@@ -1,0 +1,88 @@
+#include "solver/simulation/remedy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "solver/case/time_step_defaults.hpp"
+
+namespace capstan {
+namespace {
+
+constexpr double kFolded = 90, kCollapsed = 5;  // degrees; smooth surfaces have angles below 60 and above 10
+
+std::string rounded(double number) {
+  std::ostringstream text;
+  text.precision(3);
+  text << number;
+  return text.str();
+}
+
+std::string of_the_fluid(const Case& c) {
+  if (c.fluid != Fluid::quasisteady || c.Re < 0.1) return "";
+  return "At Re = " + rounded(c.Re) +
+         " the quasi-steady flow leaves out what matters: take the fluid transient.";
+}
+
+bool is_unstable(const Case& c) {
+  return c.fluid != Fluid::transient && c.fidelity.kdt * fastest_decay(c) > 0.5;
+}
+
+std::string of_the_time_step(const Case& c) {
+  if (c.fluid == Fluid::transient)
+    return "The transient flow's time step is 0.04 Re dx^2, which may be too long for this membrane: lower "
+           "dx, or raise Ca.";
+  if (c.fidelity.stepper != Stepper::adams_bashforth) return "";
+  const double shorter = std::min(c.fidelity.kdt / 4, 0.5 / fastest_decay(c));
+  return "The time step of ab2, kdt = " + rounded(c.fidelity.kdt) +
+         ", may be too long for this membrane: take the stepper rkc2, or a kdt of " + rounded(shorter) + ".";
+}
+
+std::string of_folds(const Case& c, const SurfaceQuality& surface) {
+  if (!(surface.largest_dihedral > kFolded)) return "";
+  constexpr double kEnough = 0.005;  // keeps most capsules smooth
+  const std::string remedy = c.E_b < kEnough ? "raise E_b to " + rounded(kEnough)
+                                             : "raise E_b to " + rounded(3 * c.E_b) + ", or take more nodes";
+  return "The membrane has folded (" + rounded(std::round(surface.largest_dihedral)) +
+         " degrees between two faces), as it does where it is compressed and its bending stiffness is "
+         "small: " +
+         remedy + ".";
+}
+
+/// Skalak's tension under compression grows until a stretch of 1/sqrt(3), then falls; only C keeps the area
+/// from shrinking so far.
+std::string of_collapse(const Case& c, const SurfaceQuality& surface) {
+  constexpr double kSmallC = 0.5;
+  if (c.law == Law::skalak && c.C < kSmallC)
+    return "Skalak's law with C = " + rounded(c.C) +
+           " loses its resistance where the membrane is compressed to less than 0.58: raise C to 0.5 or "
+           "more, or lower Ca.";
+  if (!(surface.smallest_angle < kCollapsed)) return "";
+  return "Triangles of the membrane have collapsed (an angle of " + rounded(surface.smallest_angle) +
+         " degrees): raise E_b, lower Ca, or take more nodes.";
+}
+
+}  // namespace
+
+bool is_lost(const SurfaceQuality& surface) {
+  return !(surface.largest_dihedral < kFolded && surface.smallest_angle > kCollapsed);
+}
+
+std::string remedy(const Case& c, const SurfaceQuality& surface, bool of_motion) {
+  const std::string of_fluid = of_the_fluid(c), of_step = of_motion ? of_the_time_step(c) : "";
+  if (!of_fluid.empty()) return of_fluid;
+  if (of_motion && is_unstable(c)) return of_step;  // the surface shows what it did
+  std::string all;
+  for (const std::string& one : {of_step, of_folds(c, surface), of_collapse(c, surface)})
+    if (!one.empty()) all += (all.empty() ? "" : " ") + one;
+  return all;
+}
+
+std::string volume_drift_in_words(double drift) {
+  if (!std::isfinite(drift)) return "the volume is not finite";
+  if (std::abs(drift) > 10)
+    return "the membrane has lost its shape (the volume has drifted by more than 1000 %)";
+  return "the volume has drifted by " + std::to_string(std::lround(100 * drift)) + " %";
+}
+
+}  // namespace capstan

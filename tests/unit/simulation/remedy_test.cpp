@@ -1,0 +1,68 @@
+#include "solver/simulation/remedy.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/parsed_case.hpp"
+
+namespace capstan {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::parsed_case;
+
+constexpr SurfaceQuality kSmooth{.largest_dihedral = 15, .folded_edges = 0, .smallest_angle = 30};
+constexpr SurfaceQuality kFolded{.largest_dihedral = 170, .folded_edges = 0.1, .smallest_angle = 20};
+constexpr SurfaceQuality kCollapsed{.largest_dihedral = 40, .folded_edges = 0, .smallest_angle = 1};
+
+TEST(Remedy, OfALostMotionUnderAb2IsTheOtherStepperOrAShorterStep) {
+  const Case c = parsed_case(
+      R"({"Ca": 0.1, "E_b": 1, "fluid": "quasisteady", "fidelity": {"preset": "fast", "kdt": 0.04}})");
+  EXPECT_THAT(remedy(c, kSmooth, true),
+              AllOf(HasSubstr("rkc2"), HasSubstr("a kdt of 0.00"), Not(HasSubstr("dx"))));
+  EXPECT_EQ(remedy(c, kSmooth, false), "");
+  EXPECT_EQ(remedy(c, kFolded, true), remedy(c, kSmooth, true));  // the folds are what the step did
+}
+
+TEST(Remedy, OfAQuasisteadyFlowWithInertiaIsTheTransientOne) {
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.1, "Re": 1, "fluid": "quasisteady"})"), kFolded, true),
+              HasSubstr("take the fluid transient"));
+}
+
+TEST(Remedy, OfFoldsIsBendingStiffness) {
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.4})"), kFolded, true),
+              AllOf(HasSubstr("folded"), HasSubstr("raise E_b to 0.005")));
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.4, "E_b": 0.01})"), kFolded, true),
+              HasSubstr("raise E_b to 0.03"));
+}
+
+TEST(Remedy, OfCollapsedTrianglesIsResistanceAgainstCompression) {
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 1, "law": "skalak", "C": 0})"), kCollapsed, true),
+              HasSubstr("raise C"));
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 1})"), kCollapsed, true), HasSubstr("collapsed"));
+}
+
+TEST(Remedy, OfTheTransientFlowIsASmallerSpacing) {
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.01, "Re": 5})"), kSmooth, true), HasSubstr("lower dx"));
+}
+
+TEST(LostSurface, IsFoldedOrCollapsedOrNotANumber) {
+  EXPECT_FALSE(is_lost(kSmooth));
+  EXPECT_TRUE(is_lost(kFolded));
+  EXPECT_TRUE(is_lost(kCollapsed));
+  EXPECT_TRUE(is_lost({.largest_dihedral = std::nan(""), .folded_edges = 0, .smallest_angle = 30}));
+}
+
+TEST(VolumeDrift, IsANumberOnlyWhereItMeansSomething) {
+  EXPECT_EQ(volume_drift_in_words(-0.41), "the volume has drifted by -41 %");
+  EXPECT_THAT(volume_drift_in_words(1e30), HasSubstr("more than 1000 %"));
+  EXPECT_THAT(volume_drift_in_words(-INFINITY), HasSubstr("not finite"));
+  EXPECT_THAT(volume_drift_in_words(NAN), HasSubstr("not finite"));
+}
+
+}  // namespace
+}  // namespace capstan
