@@ -11,6 +11,7 @@
 
 #include "runner/execute/case_file.hpp"
 #include "runner/execute/exit_code.hpp"
+#include "solver/case/case_warnings.hpp"
 #include "solver/case/content_id.hpp"
 #include "solver/simulation/run_recorder.hpp"
 #include "solver/state/durable_file.hpp"
@@ -97,6 +98,7 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
     return kExitInvalidInput;
   }
   for (const Choice& choice : parsed.choices) std::cerr << in_words(choice) << "\n";
+  for (const std::string& warning : case_warnings(*parsed.value)) std::cerr << "warning: " << warning << "\n";
   Worker worker(out, *parsed.value, parsed.choices);
   Simulation simulation(*parsed.value);
   worker.resume(simulation, [](const std::string& line) { std::cerr << line << "\n"; });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "solver/case/flow_rounding.hpp"
 #include "solver/case/run_cost.hpp"
 #include "solver/case/units.hpp"
 
@@ -104,13 +105,12 @@ double least_box(const Case& c) {
 constexpr double kLeastReynolds = 1e-6;
 
 void check_precision(const Case& c, Issues& issues) {
-  constexpr double kLeastTolerance = 1e-7;  // the rounding of single precision
-  if (c.has_composite_grid() && c.fidelity.precision == Precision::single &&
-      c.fidelity.tolerance < kLeastTolerance)
-    issues.push_back({"/fidelity/tolerance", "is " + rounded(c.fidelity.tolerance) +
-                                                 ", and the flow in single precision is known to " +
-                                                 rounded(kLeastTolerance) +
-                                                 " at best: raise it, or take precision double"});
+  const double least = flow_rounding(c);
+  if (!c.solves_for_flow() || c.fidelity.tolerance >= least) return;
+  issues.push_back({"/fidelity/tolerance", "is " + rounded(c.fidelity.tolerance) +
+                                               ", and the flow in single precision is known to " +
+                                               rounded(least) + " at best: raise it" +
+                                               (c.has_precision() ? ", or take precision double" : "")});
 }
 
 void check_time_resolution(const Case& c, Issues& issues) {

@@ -1,6 +1,7 @@
 #include "solver/mesh/surface_quality.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -21,10 +22,12 @@ Points unit_normals(const TriangleMesh& mesh, const Points& positions) {
 
 double degrees_of_cosine(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree; }
 
-/// The largest cosine of the three angles.
+/// The cosine of the smallest angle, which lies opposite to the shortest edge.
 double sharpest_corner(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = (b - a).stableNormalized(), bc = (c - b).stableNormalized(), ca = (a - c).stableNormalized();
-  return std::max({-ab.dot(ca), -bc.dot(ab), -ca.dot(bc)});
+  std::array<double, 3> squares = {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
+  std::ranges::sort(squares);
+  const double product = std::sqrt(squares[1] * squares[2]);
+  return product > 0 ? (squares[1] + squares[2] - squares[0]) / (2 * product) : 1;
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ enum class Motion {
   tumbling,
   tank_treading,
   transition,  ///< between the two: rule 4
-  undecided,   ///< less than one half-turn was seen
+  undecided,   ///< less than one half-turn was seen, or the mesh could not represent the surface
 };
 std::string_view word(Motion motion);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/case/content_id.hpp"
+#include "solver/simulation/run_warnings.hpp"
 
 namespace capstan {
 namespace {
@@ -21,12 +22,15 @@ nlohmann::ordered_json to_json(const Evidence& e) {
           {"margin", e.margin}};
 }
 
-std::vector<std::string> warnings(const Case& c, const RunStatistics& statistics) {
-  std::vector<std::string> said;
-  if (c.fluid == Fluid::quasisteady && c.Re >= 0.1)
-    said.push_back("Re >= 0.1: the quasi-steady flow neglects the time derivative");
-  if (statistics.volume_drift > 0.01) said.push_back("the volume drifted by more than 1 %");
-  return said;
+/// Degrees, and kt: schema/run_directory.md.
+nlohmann::ordered_json to_json(const SurfaceWatch& surface) {
+  const SurfaceQuality& worst = surface.worst();
+  const auto or_null = [](std::optional<double> kt) { return kt ? nlohmann::ordered_json(*kt) : nullptr; };
+  return {{"largest_dihedral", worst.largest_dihedral},
+          {"folded_edges", worst.folded_edges},
+          {"smallest_angle", worst.smallest_angle},
+          {"folded_from", or_null(surface.folded_from())},
+          {"lost_from", or_null(surface.lost_from())}};
 }
 
 /// A run that failed on the way has no motion, whatever it did before.
@@ -67,7 +71,8 @@ nlohmann::ordered_json result_json(const Case& c, const Choices& choices, const 
   trust["area_drift"] = statistics.area_drift;
   trust["worst_flow_error"] = statistics.worst_flow_error;
   trust["left_out"] = left_out(c);
-  trust["warnings"] = warnings(c, statistics);
+  trust["surface"] = to_json(simulation.surface());
+  trust["warnings"] = run_warnings(c, statistics, simulation.surface());
   return result;
 }
 

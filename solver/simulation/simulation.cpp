@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "solver/case/flow_rounding.hpp"
 #include "solver/mesh/geometry.hpp"
 #include "solver/mesh/shapes.hpp"
 #include "solver/mesh/surface_quality.hpp"
@@ -111,11 +112,13 @@ Outcome Simulation::stopped(Stop stop, const std::string& what) const {
   return {stop, text.str()};
 }
 
+/// No flow is better than its numbers.
 void Simulation::note(const FlowReport& flow) {
+  const double error = std::max(flow.error, flow_rounding(case_));
   iterations_since_record_ += flow.iterations;
   statistics_.flow_iterations += flow.iterations;
-  if (flow.iterations > 0) last_flow_error_ = flow.error;
-  statistics_.worst_flow_error = std::max(statistics_.worst_flow_error, flow.error);
+  if (flow.iterations > 0) last_flow_error_ = error;
+  statistics_.worst_flow_error = std::max(statistics_.worst_flow_error, error);
 }
 
 /// Everything that was asked for since the step before, and a sample.
@@ -154,7 +157,13 @@ void Simulation::observe() {
   const Record seen = tracker_.observe(now_.kt, now_.positions);
   samples_.push_back({seen.kt, seen.D_xy, seen.theta, seen.psi});
   statistics_.volume_drift = std::max(statistics_.volume_drift, std::abs(seen.volume / initial_volume_ - 1));
+  if (surface_.is_due(now_.kt)) surface_.look(now_.kt, surface_quality(sphere_.mesh, now_.positions));
   statistics_.area_drift = std::max(statistics_.area_drift, std::abs(seen.area / initial_area_ - 1));
+}
+
+Verdict Simulation::verdict() const {
+  const Verdict verdict = classify(samples_);
+  return surface_.lost_from() ? without_label(verdict, surface_) : verdict;
 }
 
 /// Whether the label is certain is asked at recorded times, so that a run that ends early ends with a record.
@@ -178,6 +187,7 @@ void Simulation::save_checkpoint(RunOutput& output) const {
   tracker_.save(archive);
   put_history(archive, history_);
   put_samples(archive, samples_);
+  surface_.save(archive);
   archive.put("frames", frames_);
   archive.put("statistics", {double(statistics_.steps), double(statistics_.flow_iterations),
                              statistics_.worst_flow_error, statistics_.volume_drift, statistics_.area_drift});
@@ -196,6 +206,7 @@ void Simulation::load(const StateArchive& archive) {
   tracker_.load(archive);
   history_ = get_history(archive);
   samples_ = get_samples(archive);
+  surface_.load(archive);
   frames_ = int(archive.number("frames"));
   const auto saved = archive.get("statistics");
   statistics_ = {long(saved[0]), long(saved[1]), saved[2], saved[3], saved[4]};

@@ -12,6 +12,7 @@
 #include "solver/observe/history.hpp"
 #include "solver/observe/motion_sample.hpp"
 #include "solver/observe/motion_tracker.hpp"
+#include "solver/observe/surface_watch.hpp"
 #include "solver/simulation/membrane_state.hpp"
 #include "solver/simulation/output_times.hpp"
 #include "solver/simulation/run_output.hpp"
@@ -65,7 +66,9 @@ class Simulation {
   double kt() const { return now_.kt; }
   const History& history() const { return history_; }
   const MotionSamples& samples() const { return samples_; }
-  Verdict verdict() const { return classify(samples_); }
+  /// Undecided where the mesh could not represent the surface.
+  Verdict verdict() const;
+  const SurfaceWatch& surface() const { return surface_; }
   const RunStatistics& statistics() const { return statistics_; }
 
  private:
@@ -97,6 +100,7 @@ class Simulation {
   std::optional<OutputTimes> shape_times_;
   MotionTracker tracker_;
   MotionSamples samples_;
+  SurfaceWatch surface_;
   History history_;
   int frames_ = 0;
   double initial_volume_, initial_area_;

@@ -113,6 +113,15 @@ TEST(ParseCase, AToleranceHasNoEffectWhereBoundaryIntegralsSolveNoEquation) {
   EXPECT_EQ(valid(with(sphere, "/fluid", "quasisteady")).fidelity.tolerance, 1e-5);
 }
 
+TEST(ParseCase, RefusesAToleranceBelowTheRoundingOfTheFlow) {
+  const json drop = {{"Ca", 0.1}, {"V", 4}, {"fluid", "stokes"}, {"fidelity", {{"tolerance", 1e-7}}}};
+  EXPECT_THAT(only_message(drop), HasSubstr("1e-06 at best: raise it"));
+  const json lattice = with(drop, "/fluid", "quasisteady");
+  EXPECT_THAT(only_message(lattice), HasSubstr("precision double"));
+  EXPECT_EQ(valid(with(lattice, "/fidelity/precision", "double")).fidelity.tolerance, 1e-7);
+  EXPECT_EQ(valid(with(drop, "/fidelity/tolerance", 1e-6)).fidelity.tolerance, 1e-6);
+}
+
 TEST(ParseCase, RefusesNumbersThatAreNotFinite) {
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (const char* key : {"Ca", "V", "Re", "E_b"})

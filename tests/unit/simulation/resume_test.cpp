@@ -34,6 +34,7 @@ void expect_resumed_equals_uninterrupted(const Case& c) {
     EXPECT_EQ(resumed.run(rest).stop, Stop::reached_end);
     EXPECT_EQ(resumed.history(), whole.records);
     EXPECT_EQ(resumed.samples(), uninterrupted.samples());
+    EXPECT_EQ(resumed.surface().worst(), uninterrupted.surface().worst());
     EXPECT_TRUE(std::equal(rest.shapes.rbegin(), rest.shapes.rend(), whole.shapes.rbegin()));
     EXPECT_EQ(rest.shapes.size() + std::size_t(checkpoint.number("frames")), whole.shapes.size());
     expect_equal(resumed.statistics(), uninterrupted.statistics());

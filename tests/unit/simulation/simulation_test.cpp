@@ -12,6 +12,7 @@
 namespace capstan {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::MemoryOutput;
@@ -131,6 +132,38 @@ TEST(Result, WarnsOfAQuasisteadyFlowAtAReynoldsNumberThatIsNotSmall) {
   EXPECT_TRUE(result_of(c)["trust"]["warnings"].empty());
   c.Re = 0.2;
   EXPECT_THAT(result_of(c)["trust"]["warnings"][0].get<std::string>(), HasSubstr("quasi-steady"));
+}
+
+TEST(Result, ClaimsNoSmallerErrorOfTheFlowThanThatOfItsNumbers) {
+  for (const char* keys : {R"("fluid": "stokes", "fidelity": {"nodes": 42})", R"("fluid": "transient",
+    "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 42})"}) {
+    const auto result =
+        result_of(parsed_case(R"({"Ca": 0.1, "until": {"kt": 0.01}, )" + std::string(keys) + "}"));
+    EXPECT_EQ(result["trust"]["worst_flow_error"], 1e-6) << keys;
+  }
+}
+
+TEST(Result, OfASmoothSurfaceSaysSo) {
+  const auto surface = result_of(small_case())["trust"]["surface"];
+  EXPECT_LT(surface["largest_dihedral"], 30);  // 162 vertices
+  EXPECT_GT(surface["smallest_angle"], 30);
+  EXPECT_EQ(surface["folded_edges"], 0);
+  EXPECT_TRUE(surface["folded_from"].is_null());
+}
+
+// Measured: folded from kt = 3.4 on, triangles lie on each other from 7.5 on.
+TEST(Result, OfACrumpledSphereWarnsAndHasNoLabel) {
+  const auto result = result_of(parsed_case(R"({"Ca": 0.6426, "Re": 0.02579, "fluid": "quasisteady",
+    "fidelity": "fast", "until": {"kt": 9}, "outputs": {"shapes_every": 0}})"));
+  const auto surface = result["trust"]["surface"];
+  EXPECT_GT(surface["largest_dihedral"], 135);
+  EXPECT_GT(surface["folded_edges"], 0.005);
+  EXPECT_NEAR(surface["lost_from"], 7.5, 1);
+  EXPECT_THAT(result["trust"]["warnings"].back().get<std::string>(),
+              AllOf(HasSubstr("not smooth on this mesh"), HasSubstr("E_b"), HasSubstr("more nodes")));
+  EXPECT_EQ(result["motion"], "undecided");
+  EXPECT_EQ(result["evidence"]["margin"], 0);
+  EXPECT_THAT(result["explanation"].get<std::string>(), HasSubstr("cannot represent the surface"));
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ std::vector<std::string> faults_with(const std::string& pointer, const json& val
   json object = kCase;
   if (pointer == "/aspect") object["shape"] = value < 1 ? "oblate" : "prolate";
   if (pointer == "/Re") object["fluid"] = "auto", object.erase("fidelity");
+  if (pointer == "/fidelity/tolerance") object["fidelity"]["precision"] = "double";
   object[json::json_pointer(pointer)] = value;
   std::vector<std::string> pointers;
   for (const Issue& issue : parse_case(object).issues) pointers.push_back(issue.pointer);

@@ -1,0 +1,61 @@
+#include "solver/observe/surface_watch.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace capstan {
+namespace {
+
+constexpr double kInterval = 0.2;  ///< kt; folds stay longer
+constexpr double kNever = -1;      // in a checkpoint
+
+std::optional<double> time_from(double saved) {
+  return saved == kNever ? std::nullopt : std::optional(saved);
+}
+
+}  // namespace
+
+void SurfaceWatch::look(double kt, const SurfaceQuality& seen) {
+  const double at = std::round(kt * 1e9) / 1e9;  // 7.68, not 7.680000000000005
+  next_look_ = kt + kInterval;
+  worst_ = worst_of(worst_, seen);
+  if (!folded_from_ && seen.folded_edges > 0) folded_from_ = at;
+  if (!lost_from_ && seen.largest_dihedral > kLyingOnEachOther) lost_from_ = at;
+}
+
+std::string SurfaceWatch::in_words() const {
+  std::ostringstream text;
+  text.precision(3);
+  text << "neighbouring triangles meet at angles of up to " << worst_.largest_dihedral << " degrees, "
+       << 100 * worst_.folded_edges << " % of the edges at more than " << kFoldedEdge;
+  return text.str();
+}
+
+Verdict without_label(const Verdict& verdict, const SurfaceWatch& surface) {
+  std::ostringstream reason;
+  reason << "From kt = " << *surface.lost_from()
+         << " on the mesh cannot represent the surface: " << surface.in_words()
+         << ". The motion is that of the mesh then, and has no label; give the membrane a bending stiffness "
+            "(E_b) or take "
+            "more nodes.";
+  Verdict withdrawn;
+  withdrawn.evidence = verdict.evidence;
+  withdrawn.evidence.margin = 0;
+  withdrawn.explanation = reason.str();
+  return withdrawn;
+}
+
+void SurfaceWatch::save(StateArchive& archive) const {
+  archive.put("surface", {worst_.largest_dihedral, worst_.folded_edges, worst_.smallest_angle, next_look_,
+                          folded_from_.value_or(kNever), lost_from_.value_or(kNever)});
+}
+
+void SurfaceWatch::load(const StateArchive& archive) {
+  const auto saved = archive.get("surface");
+  worst_ = {saved[0], saved[1], saved[2]};
+  next_look_ = saved[3];
+  folded_from_ = time_from(saved[4]);
+  lost_from_ = time_from(saved[5]);
+}
+
+}  // namespace capstan

@@ -1,0 +1,69 @@
+#include "solver/observe/surface_watch.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace capstan {
+namespace {
+
+const SurfaceQuality kSmooth{18, 0, 30}, kWrinkled{88, 0.027, 20}, kCrumpled{178, 0.08, 6};
+
+TEST(SurfaceWatch, ASmoothSurfaceHasNothingToSay) {
+  SurfaceWatch watch;
+  for (int step = 0; step < 10; ++step) watch.look(0.1 * step, kSmooth);
+  EXPECT_FALSE(watch.folded_from());
+  EXPECT_FALSE(watch.lost_from());
+}
+
+TEST(SurfaceWatch, KeepsTheWorstAndWhenItBegan) {
+  SurfaceWatch watch;
+  watch.look(0, kSmooth);
+  watch.look(1, kWrinkled);
+  watch.look(2, kSmooth);
+  watch.look(3, kCrumpled);
+  watch.look(4, kSmooth);
+  EXPECT_EQ(watch.worst(), kCrumpled);
+  EXPECT_EQ(watch.folded_from(), 1);
+  EXPECT_EQ(watch.lost_from(), 3);
+  EXPECT_THAT(watch.in_words(), ::testing::HasSubstr("up to 178 degrees, 8 % of the edges at more than 60"));
+}
+
+TEST(SurfaceWatch, WrinklesThatComeAndGoLoseNothing) {
+  SurfaceWatch watch;
+  for (int step = 0; step < 10; ++step) watch.look(0.1 * step, step % 2 ? kWrinkled : kSmooth);
+  EXPECT_TRUE(watch.folded_from());
+  EXPECT_FALSE(watch.lost_from());
+}
+
+TEST(SurfaceWatch, ALostSurfaceTakesTheLabelAndKeepsTheEvidence) {
+  SurfaceWatch watch;
+  watch.look(7.5, kCrumpled);
+  Verdict verdict{
+      .motion = Motion::tank_treading, .evidence = {}, .certain = true, .steady = true, .explanation = {}};
+  verdict.evidence.turns = 2.9;
+  verdict.evidence.margin = 0.9;
+  const Verdict withdrawn = without_label(verdict, watch);
+  EXPECT_EQ(withdrawn.motion, Motion::undecided);
+  EXPECT_EQ(withdrawn.evidence.turns, 2.9);
+  EXPECT_EQ(withdrawn.evidence.margin, 0);
+  EXPECT_FALSE(withdrawn.certain);
+  EXPECT_FALSE(withdrawn.steady);
+  EXPECT_THAT(withdrawn.explanation, ::testing::HasSubstr("From kt = 7.5 on the mesh cannot represent"));
+}
+
+TEST(SurfaceWatch, GoesOnFromACheckpoint) {
+  SurfaceWatch watch, resumed;
+  watch.look(1, kWrinkled);
+  EXPECT_FALSE(watch.is_due(1.1));
+  StateArchive archive;
+  watch.save(archive);
+  resumed.load(archive);
+  EXPECT_EQ(resumed.worst(), kWrinkled);
+  EXPECT_EQ(resumed.folded_from(), 1);
+  EXPECT_FALSE(resumed.lost_from());
+  EXPECT_FALSE(resumed.is_due(1.1));
+  EXPECT_TRUE(resumed.is_due(1.25));
+}
+
+}  // namespace
+}  // namespace capstan
