@@ -105,6 +105,8 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
   const Outcome outcome = simulation.run(worker);
   std::cerr << (isatty(STDERR_FILENO) ? "\n" : "") << word(outcome.stop)
             << (outcome.message.empty() ? "" : ": " + outcome.message) << "\n";
+  if (const Verdict label = simulation.verdict(); has_answer(outcome.stop))
+    std::cerr << word(label.motion) << ": " << label.explanation << "\n";
   if (outcome.stop != Stop::interrupted) worker.finish(simulation, outcome);
   return exit_code_of(outcome);
 }

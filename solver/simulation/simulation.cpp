@@ -26,7 +26,7 @@ Outcome Simulation::run(RunOutput& output) {
   for (;;) {
     if (auto outcome = step()) return *outcome;
     put_out(output);
-    if (auto outcome = finished()) return *outcome;
+    if (auto outcome = finished(output)) return *outcome;
     const bool interrupted = output.interrupted();
     if (interrupted || statistics_.steps % case_.outputs.checkpoint_every == 0) save_checkpoint(output);
     if (interrupted) return {Stop::interrupted};
@@ -166,15 +166,16 @@ Verdict Simulation::verdict() const {
   return surface_.lost_from() ? without_label(verdict, surface_) : verdict;
 }
 
-/// Whether the label is certain is asked at recorded times, so that a run that ends early ends with a record.
-std::optional<Outcome> Simulation::finished() const {
+/// Whether to end early is asked each time that kt has grown by a hundredth: an answer takes time that grows with
+/// the length of the run.
+std::optional<Outcome> Simulation::finished(RunOutput& output) {
   if (now_.kt >= case_.until.kt) return Outcome{Stop::reached_end};
-  const bool has_new_record = history_.back().kt > before_.kt;
-  if (!case_.until.classified || !has_new_record) return std::nullopt;
-  const Verdict now = verdict();
-  if (now.steady) return Outcome{Stop::steady};
-  if (now.certain) return Outcome{Stop::classified};
-  return std::nullopt;
+  const auto hundredths = [](double kt) { return std::floor(std::log(kt) / 0.01); };
+  if (!case_.until.classified || hundredths(now_.kt) == hundredths(before_.kt)) return std::nullopt;
+  const Verdict label = verdict();
+  if (!label.steady && !label.certain) return std::nullopt;
+  if (history_.back().kt < now_.kt) record(now_.kt, output);
+  return Outcome{label.steady ? Stop::steady : Stop::classified};
 }
 
 void Simulation::save_checkpoint(RunOutput& output) const {

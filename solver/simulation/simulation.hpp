@@ -78,7 +78,7 @@ class Simulation {
   std::optional<Outcome> failure(const FlowReport& flow) const;
   std::optional<Outcome> refusal(const StepReport& step);
   Outcome stopped(Stop stop, const std::string& what) const;
-  std::optional<Outcome> finished() const;
+  std::optional<Outcome> finished(RunOutput& output);
   void note(const FlowReport& flow);
   void put_out(RunOutput& output);
   bool has_come(double time) const;

@@ -10,18 +10,19 @@ namespace {
 
 struct Ended {
   Stop stop;
-  double kt;
+  double kt, last_recorded_kt;
   Verdict verdict;
 };
 
 /// In Stokes flow with 162 nodes.
 /// \param parameters of the case, JSON without its braces   \param until, outputs  their JSON
 Ended run(const std::string& parameters, const std::string& until, const std::string& outputs = "{}") {
-  Simulation simulation(testing::parsed_case(R"({"fluid": "stokes", )" + parameters + R"(, "until": )" + until +
-                                             R"(, "outputs": )" + outputs + R"(, "fidelity": {"nodes": 162}})"));
+  Simulation simulation(testing::parsed_case(R"({"fluid": "stokes", )" + parameters + R"(, "until": )" +
+                                             until + R"(, "outputs": )" + outputs +
+                                             R"(, "fidelity": {"nodes": 162}})"));
   testing::MemoryOutput output;
   const Stop stop = simulation.run(output).stop;
-  return {stop, simulation.kt(), simulation.verdict()};
+  return {stop, simulation.kt(), output.records.back().kt, simulation.verdict()};
 }
 
 TEST(EarlyEnd, ASteadySphereEndsSteadyAndTankTreads) {
@@ -29,6 +30,16 @@ TEST(EarlyEnd, ASteadySphereEndsSteadyAndTankTreads) {
   EXPECT_EQ(sphere.stop, Stop::steady);
   EXPECT_LT(sphere.kt, 9);
   EXPECT_EQ(sphere.verdict.motion, Motion::tank_treading);
+}
+
+TEST(EarlyEnd, DoesNotDependOnWhatIsRecordedAndIsRecorded) {
+  const std::string until = R"({"kt": 30, "classified": true})";
+  const Ended often = run(R"("Ca": 0.05)", until, R"({"history_every": 0.1})");
+  const Ended seldom = run(R"("Ca": 0.05)", until, R"({"history_every": 1})");
+  EXPECT_EQ(often.stop, seldom.stop);
+  EXPECT_EQ(often.kt, seldom.kt);
+  EXPECT_EQ(often.last_recorded_kt, often.kt);
+  EXPECT_EQ(seldom.last_recorded_kt, seldom.kt);
 }
 
 TEST(EarlyEnd, ASteadySphereRunsToItsEndWhereNoEarlyEndIsAllowed) {
@@ -55,7 +66,8 @@ TEST(Label, OfANearlyRoundProlateIsTankTreading) {
 }
 
 TEST(Label, AndItsEvidenceDoNotDependOnWhatIsRecorded) {
-  const std::string cell = R"("shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.25, "V": 4)";
+  const std::string cell =
+      R"("shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.25, "V": 4)";
   const Evidence often = run(cell, R"({"kt": 17})", R"({"history_every": 0.1})").verdict.evidence;
   for (const char* outputs : {R"({"history_every": 1})", R"({"history_every": 0.33, "shapes_every": 0.7})"}) {
     const Evidence seldom = run(cell, R"({"kt": 17})", outputs).verdict.evidence;
@@ -68,7 +80,8 @@ TEST(Label, AndItsEvidenceDoNotDependOnWhatIsRecorded) {
 TEST(Label, OfARunTooShortSaysSo) {
   const Verdict verdict = run(R"("Ca": 0.05)", R"({"kt": 4})").verdict;
   EXPECT_EQ(verdict.motion, Motion::undecided);
-  EXPECT_NE(verdict.explanation.find("half-turns were seen from kt = 3 on, at least 1 is needed"), std::string::npos)
+  EXPECT_NE(verdict.explanation.find("half-turns were seen from kt = 3 on, at least 1 is needed"),
+            std::string::npos)
       << verdict.explanation;
 }
 
