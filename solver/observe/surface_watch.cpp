@@ -33,6 +33,7 @@ std::string SurfaceWatch::in_words() const {
 
 Verdict without_label(const Verdict& verdict, const SurfaceWatch& surface) {
   std::ostringstream reason;
+  reason.precision(3);
   reason << "From kt = " << *surface.lost_from()
          << " on the mesh cannot represent the surface: " << surface.in_words()
          << ". The motion is that of the mesh then, and has no label; give the membrane a bending stiffness "

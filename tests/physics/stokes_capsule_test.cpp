@@ -66,6 +66,30 @@ TEST(StokesCapsule, SpheroidThatHardlyDeformsTurnsWithJefferysPeriod) {
   EXPECT_NEAR(half_period(history), pi * 2.5, 0.001 * pi * 2.5);
 }
 
+// The lattice of the same fidelity tumbles here; a finer one tank-treads, as boundary integrals do on any
+// mesh.
+TEST(DefaultFluid, TankTreadsWhereACoarseLatticeTumbles) {
+  const Case c = testing::parsed_case(R"({"shape": "biconcave", "Ca": 0.13, "V": 3, "E_b": 0.002,
+    "outputs": {"shapes_every": 0}, "fidelity": "fast"})");
+  Simulation simulation(c);
+  testing::MemoryOutput output;
+  simulation.run(output);
+  EXPECT_EQ(c.fluid, Fluid::stokes);
+  EXPECT_EQ(simulation.verdict().motion, Motion::tank_treading);
+}
+
+// Measured: edges are folded by 88 degrees between kt = 6.7 and 9.2 of each half-turn.
+TEST(StokesCapsule, WrinklesThatComeAndGoLeaveTheLabel) {
+  Simulation simulation(
+      testing::parsed_case(R"({"shape": "oblate", "aspect": 0.5, "Ca": 0.1, "fluid": "stokes",
+    "until": {"kt": 17}, "outputs": {"shapes_every": 0}, "fidelity": {"nodes": 642}})"));
+  testing::MemoryOutput output;
+  simulation.run(output);
+  EXPECT_GT(simulation.surface().worst().largest_dihedral, 75);
+  EXPECT_NEAR(simulation.surface().folded_from().value(), 6.7, 0.5);
+  EXPECT_EQ(simulation.verdict().motion, Motion::tank_treading);
+}
+
 struct Cell {
   const char *Ca, *V;
   Motion motion;
