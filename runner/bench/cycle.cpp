@@ -4,9 +4,8 @@
 
 #include <cmath>
 
-#include "runner/bench/bench_table.hpp"
 #include "runner/bench/timed_run.hpp"
-#include "runner/execute/exit_code.hpp"
+#include "runner/results/bench_report.hpp"
 #include "solver/baseline/best_time.hpp"
 #include "solver/fluid/composite/composite_lbm.hpp"
 #include "solver/membrane/membrane.hpp"
@@ -62,17 +61,17 @@ nlohmann::ordered_json cycle_row(const Scene& scene, const std::string& name, bo
           {"mean of four", rounded(std::pow(errors[4] / errors[0], 0.25))}};
 }
 
-void print_cycles(const Scene& scene, bool json) {
+void print_cycles(const Scene& scene, BenchReport& report) {
   nlohmann::ordered_json rows;
   for (double V : {1.0, 4.0}) {
     rows.push_back(cycle_row(scene, "uniform 128^3", true, false, V));
     rows.push_back(cycle_row(scene, "composite", false, false, V));
     rows.push_back(cycle_row(scene, "composite, a quarter", false, true, V));
   }
-  print_rows("One W-cycle around a red cell, dx = 0.1 a, box 12.8 a, single precision", rows, json);
+  report.add("One W-cycle around a red cell, dx = 0.1 a, box 12.8 a, single precision", rows);
 }
 
-void print_step(const Scene& scene, bool json) {
+void print_step(const Scene& scene, BenchReport& report) {
   const GridGeometry grid{Vec3::Constant(0.05), 0.1};
   SymmetricBoundary boundary(grid, scene.orbits(true));
   ViscosityField viscosity(grid, scene.sphere.mesh, scene.orbits(true));
@@ -99,17 +98,16 @@ void print_step(const Scene& scene, bool json) {
   add("one cycle", best_time(kSpan, [&] { flow.cycle(); }));
   const TimedRun run = timed_run(scene.red);
   add("a step, mean of a run to kt = 10, without the first", run.steady_seconds / double(run.steps - 1));
-  print_rows("A step at the paper's resolution (2562 nodes, V = 4)", rows, json);
+  report.add("A step at the paper's resolution (2562 nodes, V = 4)", rows);
 }
 
 }  // namespace
 
-int bench_cycle(bool json) {
+void bench_cycle(BenchReport& report) {
   omp_set_num_threads(1);
   const Scene scene;
-  print_cycles(scene, json);
-  print_step(scene, json);
-  return kExitDone;
+  print_cycles(scene, report);
+  print_step(scene, report);
 }
 
 }  // namespace capstan

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <numeric>
 
-#include "runner/bench/bench_table.hpp"
 #include "runner/bench/cost_model.hpp"
 #include "runner/execute/exit_code.hpp"
+#include "runner/results/bench_report.hpp"
+#include "runner/results/table.hpp"
 
 namespace capstan {
 namespace {
@@ -45,7 +47,7 @@ int estimate_study(const Study& study, int cores, bool json) {
               << '\n';
     return kExitDone;
   }
-  print_rows(study.name + ": seconds of one core", rows, false);
+  BenchReport(std::cout, false).add(study.name + ": seconds of one core", rows);
   std::cout << '\n'
             << seconds.size() << (seconds.size() == 1 ? " case: " : " cases: ") << duration(total)
             << " of one core, about " << duration(wall) << " on " << cores

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "runner/bench/bench_table.hpp"
-#include "runner/execute/exit_code.hpp"
+#include "runner/results/bench_report.hpp"
 #include "solver/baseline/kernel_speed.hpp"
 
 namespace capstan {
@@ -34,19 +33,18 @@ nlohmann::ordered_json measured_row(Kernel kernel, Number number, const Extent& 
 
 }  // namespace
 
-int bench_kernel(bool json) {
+void bench_kernel(BenchReport& report) {
   using enum Kernel;
   nlohmann::ordered_json rows;
   for (const int threads : std::set{1, omp_get_max_threads()})
     for (const Kernel kernel : {nineteen_populations, four_moments, composite, composite_stress})
       for (const Number number : {Number::float64, Number::float32})
         for (const Extent& cells : kSizes) rows.push_back(measured_row(kernel, number, cells, threads));
-  print_rows(
+  report.add(
       "Million lattice updates a second (MLUPS), and their memory traffic as a share of what scaling an "
       "array in "
       "place gets (limit: read and written)",
-      rows, json);
-  return kExitDone;
+      rows);
 }
 
 }  // namespace capstan

@@ -3,9 +3,11 @@
 
 namespace capstan {
 
+class BenchReport;
+
 /// Million updates a second of both baselines, in single and double precision, in and out of the caches, on
 /// one core and on all that OpenMP has, each with its share of the memory bandwidth measured beside it.
-/// Prints a table, or JSON. \return the exit code of schema/exit_codes.md
-int bench_kernel(bool json);
+/// Prints a table, or JSON.
+void bench_kernel(BenchReport& report);
 
 }  // namespace capstan

@@ -7,9 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "runner/bench/bench_table.hpp"
 #include "runner/bench/timed_run.hpp"
-#include "runner/execute/exit_code.hpp"
+#include "runner/results/bench_report.hpp"
 
 namespace capstan {
 namespace {
@@ -26,7 +25,7 @@ double milliseconds_a_step(const TimedRun& run) {
   return std::round(1e5 * run.steady_seconds / double(std::max(1L, run.steps - 1))) / 100;
 }
 
-void print_resolutions(bool json) {
+void print_resolutions(BenchReport& report) {
   struct Resolution {
     double dx, kdt;
     int nodes;
@@ -41,10 +40,10 @@ void print_resolutions(bool json) {
                     {"s for kt = 30", std::round(10 * 30 / kdt * 1e-3 * milliseconds_a_step(run)) / 10},
                     {"peak MB so far", std::round(peak_memory_mb())}});
   }
-  print_rows("Resolution: red cell, Ca = 0.4, V = 4, one core, from some seconds of steps", rows, json);
+  report.add("Resolution: red cell, Ca = 0.4, V = 4, one core, from some seconds of steps", rows);
 }
 
-void print_threads(bool json) {
+void print_threads(BenchReport& report) {
   nlohmann::ordered_json rows;
   for (int threads = 1; threads <= omp_get_num_procs(); ++threads) {
     omp_set_num_threads(threads);
@@ -53,10 +52,10 @@ void print_threads(bool json) {
     rows.push_back({{"threads", threads}, {"ms a step, dx = 0.1", standard}, {"dx = 0.05", fine}});
   }
   omp_set_num_threads(1);
-  print_rows("Threads of one case", rows, json);
+  report.add("Threads of one case", rows);
 }
 
-void print_cases(bool json) {
+void print_cases(BenchReport& report) {
   nlohmann::ordered_json rows;
   for (int cases = 1; cases <= omp_get_num_procs(); ++cases) {
     std::vector<long> steps(cases);
@@ -72,17 +71,16 @@ void print_cases(bool json) {
     for (long done : steps) together += done;
     rows.push_back({{"cases side by side", cases}, {"steps a second, all together", together}});
   }
-  print_rows("Cases side by side, dx = 0.1", rows, json);
+  report.add("Cases side by side, dx = 0.1", rows);
 }
 
 }  // namespace
 
-int bench_scaling(bool json) {
+void bench_scaling(BenchReport& report) {
   omp_set_num_threads(1);
-  print_resolutions(json);
-  print_threads(json);
-  print_cases(json);
-  return kExitDone;
+  print_resolutions(report);
+  print_threads(report);
+  print_cases(report);
 }
 
 }  // namespace capstan

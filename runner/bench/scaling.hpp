@@ -2,8 +2,10 @@
 
 namespace capstan {
 
+class BenchReport;
+
 /// Time and memory against resolution, against threads, and against cases side by side. What `capstan bench
-/// scaling` prints. \return the exit code
-int bench_scaling(bool json);
+/// scaling` prints.
+void bench_scaling(BenchReport& report);
 
 }  // namespace capstan

@@ -4,9 +4,8 @@
 
 #include <cmath>
 
-#include "runner/bench/bench_table.hpp"
 #include "runner/bench/timed_run.hpp"
-#include "runner/execute/exit_code.hpp"
+#include "runner/results/bench_report.hpp"
 #include "solver/baseline/kernel_speed.hpp"
 #include "solver/case/parse.hpp"
 #include "solver/case/units.hpp"
@@ -42,7 +41,7 @@ Standard at_its_best() {
 double whole(double number) { return std::round(number); }
 double to_tenths(double number) { return std::round(10 * number) / 10; }
 
-void print_baselines(const Standard& paper, const Standard& best, bool json) {
+void print_baselines(const Standard& paper, const Standard& best, BenchReport& report) {
   nlohmann::ordered_json rows;
   for (const auto& [name, standard] :
        {std::pair{"the paper's step, 19 populations", paper}, std::pair{"its own best, 4 moments", best}})
@@ -50,11 +49,11 @@ void print_baselines(const Standard& paper, const Standard& best, bool json) {
                     {"k dt", standard.kdt},
                     {"MLUPS", whole(1e-6 * standard.speed.updates)},
                     {"share of roofline", std::round(100 * standard.speed.share()) / 100}});
-  print_rows("The standard method on 128^3 cells, double precision, one core: a measured stretch of steps",
-             rows, json);
+  report.add("The standard method on 128^3 cells, double precision, one core: a measured stretch of steps",
+             rows);
 }
 
-void print_red_cells(const Standard& paper, const Standard& best, bool json) {
+void print_red_cells(const Standard& paper, const Standard& best, BenchReport& report) {
   constexpr double kPapers[] = {7.4, 19.3, 35.2};
   nlohmann::ordered_json rows;
   int row = 0;
@@ -69,14 +68,14 @@ void print_red_cells(const Standard& paper, const Standard& best, bool json) {
                     {"standard at its best, s", whole(best.seconds(30))},
                     {"speed-up over it", whole(best.seconds(30) / run.seconds)}});
   }
-  print_rows(
+  report.add(
       "Table I: red cell, V = 4, to kt = 30, dx = 0.1 a, 2562 nodes, k dt = 0.02. The standard method's time "
       "is "
       "extrapolated from its rate",
-      rows, json);
+      rows);
 }
 
-void print_spheres(const Standard& paper, bool json) {
+void print_spheres(const Standard& paper, BenchReport& report) {
   nlohmann::ordered_json rows;
   for (double Re : {0.0125, 0.05})
     for (double kdt : {0.01, 0.02, 0.04}) {
@@ -96,18 +95,17 @@ void print_spheres(const Standard& paper, bool json) {
                       {"speed-up", whole(standard / run.seconds)},
                       {"D_xy", std::round(1e4 * run.history.back().D_xy) / 1e4}});
     }
-  print_rows("Fig. 18: sphere, Ca = 0.05, to kt = 2, by shear rate and step", rows, json);
+  report.add("Fig. 18: sphere, Ca = 0.05, to kt = 2, by shear rate and step", rows);
 }
 
 }  // namespace
 
-int bench_table1(bool json) {
+void bench_table1(BenchReport& report) {
   omp_set_num_threads(1);
   const Standard paper = with_papers_step(), best = at_its_best();
-  print_baselines(paper, best, json);
-  print_red_cells(paper, best, json);
-  print_spheres(paper, json);
-  return kExitDone;
+  print_baselines(paper, best, report);
+  print_red_cells(paper, best, report);
+  print_spheres(paper, report);
 }
 
 }  // namespace capstan

@@ -35,19 +35,27 @@ ordered_json content(const httplib::Result& result, const std::string& server) {
   return ordered_json::parse(result->body);
 }
 
+std::unique_ptr<httplib::ClientImpl> http_client(const ServerUrl& url) {
+  auto client = url.is_secure ? std::make_unique<httplib::SSLClient>(url.host, url.port)
+                              : std::make_unique<httplib::ClientImpl>(url.host, url.port);
+  httplib::Headers headers = {{"Host", url.authority()}};
+  if (const auto token = token_of_environment()) headers.emplace("Authorization", "Bearer " + *token);
+  client->set_default_headers(headers);
+  client->set_read_timeout(60);
+  return client;
+}
+
 }  // namespace
 
-Client::Client(const std::string& server)
-    : server_(server), http_(std::make_unique<httplib::Client>(server)) {
-  if (!http_->is_valid())
-    throw std::invalid_argument("\"" + server + "\" is no URL such as " + kDefaultServer);
-  http_->set_read_timeout(60);
-  if (const auto token = token_of_environment()) http_->set_bearer_token_auth(*token);
+Client::Client(const std::string& server) : server_(server) {
+  const ServerUrl url = parse_server_url(server);
+  prefix_ = url.prefix;
+  http_ = http_client(url);
 }
 
 Client::~Client() = default;
 
-ordered_json Client::get(const std::string& path) { return content(http_->Get(path), server_); }
+ordered_json Client::get(const std::string& path) { return content(http_->Get(prefix_ + path), server_); }
 
 ordered_json Client::get_all(const std::string& path, const std::string& list) {
   const char* const separator = path.find('?') == std::string::npos ? "?" : "&";
@@ -60,7 +68,7 @@ ordered_json Client::get_all(const std::string& path, const std::string& list) {
 }
 
 ordered_json Client::post(const std::string& path, const std::string& body) {
-  return content(http_->Post(path, body, "application/json"), server_);
+  return content(http_->Post(prefix_ + path, body, "application/json"), server_);
 }
 
 }  // namespace capstan

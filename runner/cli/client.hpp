@@ -5,15 +5,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "runner/cli/server_url.hpp"
 #include "solver/case/parse.hpp"
 
 namespace httplib {
-class Client;
+class ClientImpl;
 }
 
 namespace capstan {
-
-inline constexpr const char* kDefaultServer = "http://127.0.0.1:8017";
 
 /// No server answers.
 class Unreachable : public std::runtime_error {
@@ -32,6 +31,7 @@ class Refused : public std::runtime_error {
 
 class Client {
  public:
+  /// Throws std::invalid_argument for what is no URL.
   explicit Client(const std::string& server);
   ~Client();
 
@@ -42,7 +42,8 @@ class Client {
 
  private:
   std::string server_;
-  std::unique_ptr<httplib::Client> http_;
+  std::string prefix_;  ///< of all paths
+  std::unique_ptr<httplib::ClientImpl> http_;
 };
 
 }  // namespace capstan

@@ -26,32 +26,38 @@ struct UpkeepArguments {
   std::string data = "capstan-data";
   bool mend = false;  ///< of examine_data
   std::string file;   ///< of back_up
+  bool json = false;
 };
 int examine_data(const UpkeepArguments& arguments);
 int back_up(const UpkeepArguments& arguments);
 
-int validate_study(const std::string& file);
+struct FileArguments {
+  std::string file;
+  bool json = false;
+};
+int validate_file(const FileArguments& arguments);
 
 struct SubmitArguments {
   std::string file;
   bool watch = false;
+  bool json = false;
   std::string server = kDefaultServer;
 };
 int submit_study(const SubmitArguments& arguments);
 
-int print_studies(const std::string& server);
-
 struct StudyArguments {
-  std::string id;                ///< of the study, or of the case where a command is about one
+  std::vector<std::string> ids;  ///< as they were typed: ids, their beginnings, names of studies
   std::string format = "table";  ///< of print_results: table, csv, json
+  bool json = false;
   std::string server = kDefaultServer;
 };
+int print_studies(const StudyArguments& arguments);  ///< of all studies: without ids
 int print_study(const StudyArguments& arguments);
 int watch_study(const StudyArguments& arguments);
 int print_results(const StudyArguments& arguments);
 int print_phase_diagram(const StudyArguments& arguments);
 /// \param change  cancel, pause, resume, retry, priority
 int change_study(const StudyArguments& arguments, const std::string& change, const std::string& body = "");
-int explain_case(const StudyArguments& arguments);
+int explain(const StudyArguments& arguments);  ///< studies and cases
 
 }  // namespace capstan

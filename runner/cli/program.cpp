@@ -9,9 +9,15 @@
 
 #include "runner/cli/client.hpp"
 #include "runner/cli/commands.hpp"
+#include "runner/cli/standard_output.hpp"
 #include "runner/cli/study_file.hpp"
+#include "runner/cli/usage_fault.hpp"
 #include "runner/execute/exit_code.hpp"
+#include "runner/execute/input_file.hpp"
 #include "runner/execute/local_executor.hpp"
+#include "runner/execute/run_directory.hpp"
+#include "runner/results/bench_report.hpp"
+#include "solver/case/content_id.hpp"
 
 namespace capstan {
 namespace {
@@ -21,7 +27,27 @@ using Action = std::function<int()>;
 void add_server_option(CLI::App& command, std::string& server) {
   command.add_option("--server", server, "the server to ask; https:// where a proxy adds it")
       ->type_name("URL")
+      ->envname("CAPSTAN_SERVER")
       ->capture_default_str();
+}
+
+void add_json_flag(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "print one JSON document instead of text");
+}
+
+/// The ids of a command that does the same with each of several studies.
+void add_study_ids(CLI::App& command, std::vector<std::string>& ids) {
+  command
+      .add_option("ID", ids, "the study, or several: its id, a beginning that no other id has, or its name")
+      ->required();
+}
+
+void add_study_id(CLI::App& command, std::vector<std::string>& ids) {
+  command
+      .add_option_function<std::string>(
+          "ID", [&ids](const std::string& id) { ids = {id}; },
+          "the study: its id, a beginning that no other id has, or its name")
+      ->required();
 }
 
 Action declare_serve(CLI::App& command) {
@@ -71,6 +97,7 @@ Action declare_doctor(CLI::App& command) {
   add_data_option(command, arguments->data);
   command.add_flag("--repair", arguments->mend,
                    "mend what can be mended without losing anything; stop the server first");
+  add_json_flag(command, arguments->json);
   command.footer(
       "Exit code 0: all is well, mended, or needs nothing (a note). 1: some faults are left.\n"
       "Example:\n  capstan doctor --data /srv/capsules\n");
@@ -81,6 +108,7 @@ Action declare_backup(CLI::App& command) {
   auto arguments = std::make_shared<UpkeepArguments>();
   command.add_option("FILE", arguments->file, "the copy; replaced if it is there")->required();
   add_data_option(command, arguments->data);
+  add_json_flag(command, arguments->json);
   command.footer(
       "The server may be running. To go back to the copy, put it into an empty data directory as "
       "capstan.sqlite.\n"
@@ -91,16 +119,20 @@ Action declare_backup(CLI::App& command) {
 }
 
 Action declare_validate(CLI::App& command) {
-  auto file = std::make_shared<std::string>();
-  command.add_option("FILE", *file, "the study")->required();
-  command.footer("Example:\n  capstan validate studies/quickstart/study.json\n");
-  return [file] { return validate_study(*file); };
+  auto arguments = std::make_shared<FileArguments>();
+  command.add_option("FILE", arguments->file, "the study or case; - is standard input")->required();
+  add_json_flag(command, arguments->json);
+  command.footer(
+      "All faults are reported at once, each with its place in the file. Nothing is computed.\n"
+      "Example:\n  capstan validate studies/quickstart/study.json\n");
+  return [arguments] { return validate_file(*arguments); };
 }
 
 Action declare_submit(CLI::App& command) {
   auto arguments = std::make_shared<SubmitArguments>();
-  command.add_option("FILE", arguments->file, "the study")->required();
+  command.add_option("FILE", arguments->file, "the study; - is standard input")->required();
   command.add_flag("--watch", arguments->watch, "show the progress until all cases have ended");
+  add_json_flag(command, arguments->json);
   add_server_option(command, arguments->server);
   command.footer(
       "Prints the study's id. The same study again is the same id, and nothing is computed twice.\n"
@@ -109,32 +141,66 @@ Action declare_submit(CLI::App& command) {
 }
 
 Action declare_studies(CLI::App& command) {
-  auto server = std::make_shared<std::string>(kDefaultServer);
-  add_server_option(command, *server);
-  command.footer("Example:\n  capstan studies\n");
-  return [server] { return print_studies(*server); };
-}
-
-/// A command on one study.
-template <int (*run)(const StudyArguments&)>
-Action declare_on_study(CLI::App& command) {
   auto arguments = std::make_shared<StudyArguments>();
-  command.add_option("ID", arguments->id, "the study")->required();
-  if (run == print_results)
-    command
-        .add_option("--format", arguments->format,
-                    "table: what varies, what came of it; csv, json: everything")
-        ->check(CLI::IsMember({"table", "csv", "json"}))
-        ->capture_default_str();
+  add_json_flag(command, arguments->json);
   add_server_option(command, arguments->server);
-  command.footer("Example:\n  capstan " + command.get_name() + " quickstart-3f9c\n");
-  return [arguments] { return run(*arguments); };
+  command.footer(
+      "A study is queued, running, paused, done (all its cases have ended) or cancelled.\n"
+      "Example:\n  capstan studies\n");
+  return [arguments] { return print_studies(*arguments); };
 }
 
-/// A command that changes a study, by its own name.
+Action declare_show(CLI::App& command) {
+  auto arguments = std::make_shared<StudyArguments>();
+  add_study_ids(command, arguments->ids);
+  add_json_flag(command, arguments->json);
+  add_server_option(command, arguments->server);
+  command.footer("Example:\n  capstan show quickstart-3f9c\n");
+  return [arguments] { return print_study(*arguments); };
+}
+
+Action declare_watch(CLI::App& command) {
+  auto arguments = std::make_shared<StudyArguments>();
+  add_study_id(command, arguments->ids);
+  command.add_flag("--json", arguments->json,
+                   "print the study as JSON at the end; the progress goes to standard error");
+  add_server_option(command, arguments->server);
+  command.footer(
+      "Exit code 0: all cases are done. 3: some have no answer.\n"
+      "Example:\n  capstan watch quickstart-3f9c\n");
+  return [arguments] { return watch_study(*arguments); };
+}
+
+Action declare_results(CLI::App& command) {
+  auto arguments = std::make_shared<StudyArguments>();
+  add_study_ids(command, arguments->ids);
+  auto* format = command
+                     .add_option("--format", arguments->format,
+                                 "table: what varies, what came of it; csv, json: everything")
+                     ->check(CLI::IsMember({"table", "csv", "json"}))
+                     ->capture_default_str();
+  command.add_flag("--json", arguments->json, "the same as --format json")->excludes(format);
+  add_server_option(command, arguments->server);
+  command.footer("Example:\n  capstan results quickstart-3f9c --format csv > quickstart.csv\n");
+  return [arguments] { return print_results(*arguments); };
+}
+
+Action declare_phase_diagram(CLI::App& command) {
+  auto arguments = std::make_shared<StudyArguments>();
+  add_study_ids(command, arguments->ids);
+  add_json_flag(command, arguments->json);
+  add_server_option(command, arguments->server);
+  command.footer(
+      "In colours on a terminal, unless the environment has NO_COLOR.\n"
+      "Example:\n  capstan phase-diagram quickstart-3f9c\n");
+  return [arguments] { return print_phase_diagram(*arguments); };
+}
+
+/// A command that changes studies, by its own name.
 Action declare_change(CLI::App& command) {
   auto arguments = std::make_shared<StudyArguments>();
-  command.add_option("ID", arguments->id, "the study")->required();
+  add_study_ids(command, arguments->ids);
+  add_json_flag(command, arguments->json);
   add_server_option(command, arguments->server);
   command.footer("Example:\n  capstan " + command.get_name() + " quickstart-3f9c\n");
   return [arguments, change = command.get_name()] { return change_study(*arguments, change); };
@@ -143,10 +209,11 @@ Action declare_change(CLI::App& command) {
 Action declare_retry(CLI::App& command) {
   auto arguments = std::make_shared<StudyArguments>();
   auto fidelity = std::make_shared<std::string>();
-  command.add_option("ID", arguments->id, "the study")->required();
+  add_study_ids(command, arguments->ids);
   command
       .add_option("--fidelity", *fidelity, "compute the failed and diverged cases at this one, as \"fine\"")
       ->type_name("PRESET");
+  add_json_flag(command, arguments->json);
   add_server_option(command, arguments->server);
   command.footer("Example:\n  capstan retry quickstart-3f9c --fidelity fine\n");
   return [arguments, fidelity] {
@@ -158,8 +225,9 @@ Action declare_retry(CLI::App& command) {
 Action declare_priority(CLI::App& command) {
   auto arguments = std::make_shared<StudyArguments>();
   auto priority = std::make_shared<int>();
-  command.add_option("ID", arguments->id, "the study")->required();
+  add_study_id(command, arguments->ids);
   command.add_option("N", *priority, "from -100 to 100; 0 at first")->required();
+  add_json_flag(command, arguments->json);
   add_server_option(command, arguments->server);
   command.footer("Example:\n  capstan priority quickstart-3f9c 10\n");
   return [arguments, priority] {
@@ -169,35 +237,58 @@ Action declare_priority(CLI::App& command) {
 
 Action declare_why(CLI::App& command) {
   auto arguments = std::make_shared<StudyArguments>();
-  command.add_option("ID", arguments->id, "the case")->required();
+  command
+      .add_option(
+          "ID", arguments->ids,
+          "the study or case, or several: its id, a beginning that no other id has, or a study's name")
+      ->required();
+  add_json_flag(command, arguments->json);
   add_server_option(command, arguments->server);
-  command.footer("Example:\n  capstan why 336d1e25fca8fbb3\n");
-  return [arguments] { return explain_case(*arguments); };
+  command.footer(
+      "Of a study: how many of its cases wait, run or have ended, and for which reasons.\n"
+      "Example:\n  capstan why quickstart-3f9c\n");
+  return [arguments] { return explain(*arguments); };
 }
 
 Action declare_solve(CLI::App& command, const Physics& physics) {
-  auto files = std::make_shared<std::pair<std::filesystem::path, std::filesystem::path>>();
-  command.add_option("CASE", files->first, "the case (schema/case.schema.json)")->required();
-  command.add_option("--out", files->second, "the run directory; made if it is not there")->required();
+  struct Arguments {
+    std::filesystem::path file, out;
+    bool json = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  command.add_option("CASE", arguments->file, "the case (schema/case.schema.json); - is standard input")
+      ->required();
+  command.add_option("--out", arguments->out, "the run directory; made if it is not there")->required();
+  command.add_flag("--json", arguments->json, "print the run's result.json at the end");
   command.footer(
       "A run that was killed goes on where it stood when the same command is given again.\n"
       "Example:\n  capstan solve case.json --out runs/first\n");
-  return [files, solve = physics.solve] {
+  return [arguments, solve = physics.solve] {
     end_with_daemon();
-    return solve(files->first, files->second);
+    const int code = solve(arguments->file, arguments->out);
+    if (arguments->json && (code == kExitDone || code == kExitNoAnswer))
+      std::cout << read_input(RunDirectory(arguments->out).result_file());
+    return code;
   };
 }
 
 Action declare_compare(CLI::App& command, const Physics& physics) {
-  auto files = std::make_shared<std::vector<std::filesystem::path>>();
+  struct Arguments {
+    std::vector<std::filesystem::path> files;
+    bool json = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
   command
-      .add_option("CASE", *files, "the cases (schema/case.schema.json); their fluid and grid are set here")
+      .add_option(
+          "CASE", arguments->files,
+          "the cases (schema/case.schema.json), - is standard input; their fluid and grid are set here")
       ->required();
+  add_json_flag(command, arguments->json);
   command.footer(
       "Prints D_xy and theta at the end of each run, and what is left between the models without spacing and "
       "walls.\n"
       "Example:\n  capstan compare studies/cross_validation/*.json\n");
-  return [files, compare = physics.compare] { return compare(*files); };
+  return [arguments, compare = physics.compare] { return compare(arguments->files, arguments->json); };
 }
 
 Action declare_estimate(CLI::App& command, const Physics& physics) {
@@ -207,12 +298,12 @@ Action declare_estimate(CLI::App& command, const Physics& physics) {
     bool json = false;
   };
   auto arguments = std::make_shared<Arguments>();
-  command.add_option("FILE", arguments->file, "the study")->required();
+  command.add_option("FILE", arguments->file, "the study; - is standard input")->required();
   command.add_option("--cores", arguments->cores, "cases that will run side by side")
       ->check(CLI::Range(1, 1024))
       ->type_name("N")
       ->capture_default_str();
-  command.add_flag("--json", arguments->json, "print JSON instead of a table");
+  add_json_flag(command, arguments->json);
   command.footer(
       "Runs some of the cases for a moment, two seconds in all; nothing is submitted.\n"
       "Example:\n  capstan estimate studies/fig17/study.json\n");
@@ -225,10 +316,17 @@ Action declare_estimate(CLI::App& command, const Physics& physics) {
 /// One of the measurements below `capstan bench`.
 Action declare_benchmark(CLI::App& command, const Benchmark& benchmark) {
   auto json = std::make_shared<bool>(false);
-  command.add_flag("--json", *json, "print JSON instead of a table");
-  command.footer("On a quiet machine. Threads: OMP_NUM_THREADS, or all cores.\nExample:\n  capstan bench " +
+  add_json_flag(command, *json);
+  command.footer("Takes " + benchmark.duration +
+                 " on a quiet machine. Threads: OMP_NUM_THREADS, or all cores.\nExample:\n  capstan bench " +
                  benchmark.name + "\n");
-  return [json, run = benchmark.run] { return run(*json); };
+  return [json, benchmark] {
+    std::cerr << "capstan bench " << benchmark.name << " takes " << benchmark.duration << std::endl;
+    BenchReport report(std::cout, *json);
+    benchmark.run(report);
+    report.finish();
+    return kExitDone;
+  };
 }
 
 struct Command {
@@ -241,25 +339,35 @@ constexpr Command kCommands[] = {
     {"serve", "run the server: takes studies, computes their cases, answers over HTTP", declare_serve},
     {"doctor", "check a data directory: the database, the run directories, the disk", declare_doctor},
     {"backup", "copy the database, also of a running server", declare_backup},
-    {"validate", "check a study file; every fault is reported", declare_validate},
+    {"validate", "check the file of a study or a case; every fault is reported", declare_validate},
     {"submit", "hand a study to the server", declare_submit},
     {"studies", "list all studies, the newest first", declare_studies},
-    {"show", "one study: its axes, progress and motions", declare_on_study<print_study>},
-    {"watch", "show the progress of a study until all its cases have ended", declare_on_study<watch_study>},
-    {"results", "the cases of a study and what came of them", declare_on_study<print_results>},
-    {"phase-diagram", "the motion over two axes of a study", declare_on_study<print_phase_diagram>},
+    {"show", "one study: its axes, progress and motions", declare_show},
+    {"watch", "show the progress of a study until all its cases have ended", declare_watch},
+    {"results", "the cases of a study and what came of them", declare_results},
+    {"phase-diagram", "the motion over two axes of a study", declare_phase_diagram},
     {"cancel", "take back what a study has not computed yet", declare_change},
     {"pause", "start no more cases of a study; what runs goes on", declare_change},
     {"resume", "start cases of a paused study again", declare_change},
     {"retry", "queue the failed cases of a study again, at a finer setting if asked", declare_retry},
     {"priority", "the studies of the highest number come first, equals take turns", declare_priority},
-    {"why", "what a case waits for, or why it is where it is", declare_why},
+    {"why", "what a case or the cases of a study wait for, or why they are where they are", declare_why},
 };
+
+std::string version_text(const std::string& revision) {
+  std::string text = "capstan " CAPSTAN_VERSION "\nnumerics " + std::to_string(kNumericsVersion);
+  if (!revision.empty()) text += "\nrevision " + revision;
+  return text;
+}
 
 /// What the arguments ask for; nothing, and the exit code in `code`, after help or a usage error.
 Action read_arguments(int argc, char** argv, const Physics& physics, int& code) {
   CLI::App app{"Capstan: do capsules in shear flow tumble or tank-tread, and how do they deform?", "capstan"};
   app.require_subcommand(1);
+  app.set_version_flag(
+      "--version", [&] { return version_text(physics.revision); },
+      "print the versions of program and numerics");
+  app.failure_message(usage_fault);
   std::vector<std::pair<CLI::App*, Action>> actions;
   for (const Command& command : kCommands) {
     CLI::App* parser = app.add_subcommand(command.name, command.summary);
@@ -300,9 +408,7 @@ int exit_code_of(const Refused& refusal) {
   return refusal.status == 404 ? kExitNotFound : kExitInvalidInput;
 }
 
-}  // namespace
-
-int run_program(int argc, char** argv, const Physics& physics) {
+int run(int argc, char** argv, const Physics& physics) {
   try {
     int code = kExitDone;
     const Action action = read_arguments(argc, argv, physics, code);
@@ -317,6 +423,14 @@ int run_program(int argc, char** argv, const Physics& physics) {
   } catch (const std::exception& error) {
     return report(error, kExitError);
   }
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const Physics& physics) {
+  occupy_closed_streams();
+  const int code = run(argc, argv, physics);
+  return output_has_arrived() || code != kExitDone ? code : kExitError;
 }
 
 }  // namespace capstan

@@ -7,12 +7,14 @@
 
 namespace capstan {
 
+class BenchReport;
 struct Study;
 
 /// A measurement of `capstan bench`.
 struct Benchmark {
   std::string name, summary;
-  std::function<int(bool json)> run;  ///< prints, as a table or as JSON; returns the exit code
+  std::string duration;  ///< "about a minute"
+  std::function<void(BenchReport& report)> run;
 };
 
 /// The commands that need the physics, which the rest of the program does not know. Each returns its exit
@@ -21,11 +23,13 @@ struct Physics {
   /// `capstan solve`: one case in its directory
   std::function<int(const std::filesystem::path& case_file, const std::filesystem::path& out)> solve;
   /// `capstan compare`: the fluid models on the same cases
-  std::function<int(const std::vector<std::filesystem::path>& case_files)> compare = nullptr;
+  std::function<int(const std::vector<std::filesystem::path>& case_files, bool json)> compare = nullptr;
   /// `capstan estimate`: what a study costs on this machine; the study file is valid
   std::function<int(const Study& study, int cores, bool json)> estimate = nullptr;
   /// `capstan bench`
   std::vector<Benchmark> benchmarks = {};
+  /// of the sources, as git names it, or "" if nobody knows
+  std::string revision = {};
 };
 
 int run_program(int argc, char** argv, const Physics& physics);

@@ -1,22 +1,43 @@
 #include "runner/cli/study_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
-#include <system_error>
+
+#include "runner/execute/input_file.hpp"
 
 namespace capstan {
 
+namespace {
+
+/// One run's inputs, where a study has them in its base.
+bool is_case(const nlohmann::json& document) {
+  if (!document.is_object() || document.contains("base") || document.contains("axes")) return false;
+  const auto is_given = [&](std::string_view parameter) { return document.contains(parameter); };
+  return std::ranges::any_of(scalar_parameters(), is_given);
+}
+
+}  // namespace
+
+InputDocument parse_document(const std::string& text) {
+  const ParsedJson json = parse_json(text);
+  if (!json.value) return {std::nullopt, std::nullopt, json.issues};
+  if (is_case(*json.value)) {
+    ParsedCase parsed = parse_case(*json.value);
+    return {std::nullopt, std::move(parsed.value), std::move(parsed.issues)};
+  }
+  ParsedStudy parsed = parse_study(*json.value);
+  return {std::move(parsed.value), std::nullopt, std::move(parsed.issues)};
+}
+
 std::optional<Study> read_study_file(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw std::system_error(errno, std::generic_category(), "cannot read " + file);
-  ParsedStudy parsed = parse_study_text(text);
-  if (!parsed.value) print_issues(std::cerr, file, parsed.issues);
-  return std::move(parsed.value);
+  InputDocument document = parse_document(read_input(file));
+  if (document.single_case)
+    document.issues.push_back({"",
+                               "this is a case, not a study: capstan solve FILE --out DIR computes it; "
+                               "in a study it is the \"base\""});
+  if (!document.study) print_issues(std::cerr, input_name(file), document.issues);
+  return std::move(document.study);
 }
 
 void print_issues(std::ostream& out, const std::string& file, const Issues& issues) {
@@ -26,6 +47,12 @@ void print_issues(std::ostream& out, const std::string& file, const Issues& issu
   for (const Issue& issue : issues)
     out << "  " << std::left << std::setw(static_cast<int>(width)) << issue.pointer << (width > 0 ? "  " : "")
         << issue.message << '\n';
+}
+
+nlohmann::ordered_json to_json(const Issues& issues) {
+  nlohmann::ordered_json errors = nlohmann::ordered_json::array();
+  for (const Issue& issue : issues) errors.push_back({{"pointer", issue.pointer}, {"detail", issue.message}});
+  return errors;
 }
 
 }  // namespace capstan

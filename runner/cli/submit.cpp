@@ -14,9 +14,14 @@ int submit_study(const SubmitArguments& arguments) {
   const auto study = read_study_file(arguments.file);
   if (!study) return kExitInvalidInput;
   Client client(arguments.server);
-  const std::string id = client.post("/v1/studies", study->document.dump())["id"];
-  std::cout << id << std::endl;
-  return arguments.watch ? watch_study(client, id, std::cerr, isatty(STDERR_FILENO) == 1) : kExitDone;
+  const nlohmann::ordered_json submitted = client.post("/v1/studies", study->document.dump());
+  const std::string id = submitted["id"];
+  if (!arguments.json) std::cout << id << std::endl;
+  const int code =
+      arguments.watch ? watch_study(client, id, std::cerr, isatty(STDERR_FILENO) == 1) : kExitDone;
+  if (arguments.json)
+    std::cout << (arguments.watch ? client.get("/v1/studies/" + id) : submitted).dump(2) << '\n';
+  return code;
 }
 
 }  // namespace capstan

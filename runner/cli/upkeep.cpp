@@ -26,18 +26,26 @@ const char* word(Finding::Kind kind) {
 
 int examine_data(const UpkeepArguments& arguments) {
   int unmended = 0;
+  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   for (const Finding& finding : examine(arguments.data, arguments.mend)) {
-    std::cout << word(finding.kind) << ": " << finding.what << '\n';
+    findings.push_back({{"kind", word(finding.kind)}, {"what", finding.what}});
+    if (!arguments.json) std::cout << word(finding.kind) << ": " << finding.what << '\n';
     if (finding.kind == Finding::Kind::fault) ++unmended;
   }
-  if (unmended == 0) std::cout << "all is well\n";
+  if (arguments.json)
+    std::cout << nlohmann::ordered_json{{"faults", unmended}, {"findings", findings}}.dump(2) << '\n';
+  else if (unmended == 0)
+    std::cout << "all is well\n";
   return unmended == 0 ? kExitDone : kExitError;
 }
 
 int back_up(const UpkeepArguments& arguments) {
   Database database(std::filesystem::path(arguments.data) / "capstan.sqlite", Database::Access::read);
   database.copy_to(arguments.file);
-  std::cout << arguments.file << " holds all studies, results and histories\n";
+  if (arguments.json)
+    std::cout << nlohmann::ordered_json{{"file", arguments.file}}.dump(2) << '\n';
+  else
+    std::cout << arguments.file << " holds all studies, results and histories\n";
   return kExitDone;
 }
 

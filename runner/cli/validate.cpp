@@ -4,25 +4,53 @@
 #include "runner/cli/commands.hpp"
 #include "runner/cli/study_file.hpp"
 #include "runner/execute/exit_code.hpp"
+#include "runner/execute/input_file.hpp"
+#include "solver/case/content_id.hpp"
 
 namespace capstan {
 namespace {
 
-std::vector<nlohmann::ordered_json> values_of(const Axis& axis) {
-  std::vector<nlohmann::ordered_json> values;
+using nlohmann::ordered_json;
+
+std::vector<ordered_json> values_of(const Axis& axis) {
+  std::vector<ordered_json> values;
   for (std::size_t i = 0; i < static_cast<std::size_t>(axis.size()); ++i) values.emplace_back(axis.value(i));
   return values;
 }
 
+ordered_json summary_of(const InputDocument& document) {
+  if (document.single_case)
+    return {{"valid", true},
+            {"kind", "case"},
+            {"id", case_id(*document.single_case)},
+            {"case", to_json(*document.single_case)}};
+  if (!document.study) return {{"valid", false}, {"errors", to_json(document.issues)}};
+  ordered_json axes = ordered_json::array();
+  for (const Axis& axis : document.study->axes)
+    axes.push_back({{"parameter", axis.parameter()}, {"values", values_of(axis)}});
+  return {{"valid", true}, {"kind", "study"}, {"cases", document.study->cases.size()}, {"axes", axes}};
+}
+
+void print_study_summary(const Study& study) {
+  std::cout << "valid: " << study.cases.size() << (study.cases.size() == 1 ? " case\n" : " cases\n");
+  for (const Axis& axis : study.axes)
+    std::cout << "  " << axis_text(axis.parameter(), values_of(axis)) << '\n';
+}
+
 }  // namespace
 
-int validate_study(const std::string& file) {
-  const auto study = read_study_file(file);
-  if (!study) return kExitInvalidInput;
-  std::cout << "valid: " << study->cases.size() << (study->cases.size() == 1 ? " case\n" : " cases\n");
-  for (const Axis& axis : study->axes)
-    std::cout << "  " << axis_text(axis.parameter(), values_of(axis)) << '\n';
-  return kExitDone;
+int validate_file(const FileArguments& arguments) {
+  const InputDocument document = parse_document(read_input(arguments.file));
+  const bool is_valid = document.study || document.single_case;
+  if (arguments.json)
+    std::cout << summary_of(document).dump(2) << '\n';
+  else if (document.study)
+    print_study_summary(*document.study);
+  else if (document.single_case)
+    std::cout << "valid: a case, " << case_id(*document.single_case) << '\n';
+  else
+    print_issues(std::cerr, input_name(arguments.file), document.issues);
+  return is_valid ? kExitDone : kExitInvalidInput;
 }
 
 }  // namespace capstan

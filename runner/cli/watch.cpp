@@ -8,6 +8,7 @@
 
 #include "runner/cli/commands.hpp"
 #include "runner/cli/progress.hpp"
+#include "runner/cli/resolve.hpp"
 #include "runner/execute/exit_code.hpp"
 
 namespace capstan {
@@ -46,7 +47,11 @@ int watch_study(Client& client, const std::string& study_id, std::ostream& out, 
 
 int watch_study(const StudyArguments& arguments) {
   Client client(arguments.server);
-  return watch_study(client, arguments.id, std::cout, isatty(STDOUT_FILENO) == 1);
+  const std::string id = study_id(client, arguments.ids.front());
+  std::ostream& out = arguments.json ? std::cerr : std::cout;
+  const int code = watch_study(client, id, out, isatty(arguments.json ? STDERR_FILENO : STDOUT_FILENO) == 1);
+  if (arguments.json) std::cout << client.get("/v1/studies/" + id).dump(2) << '\n';
+  return code;
 }
 
 }  // namespace capstan

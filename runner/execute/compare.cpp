@@ -72,32 +72,54 @@ double order_in_dx(const std::array<double, 5>& on) {
   return std::log2(std::abs((on[2] - on[3]) / (on[3] - on[4])));
 }
 
-int compare(const std::filesystem::path& file, const Case& c) {
+nlohmann::ordered_json row_of(const char* fluid, const Grid* grid, const Run& run) {
+  nlohmann::ordered_json row = {{"fluid", fluid}};
+  if (grid) row["dx"] = grid->dx;
+  if (grid) row["box"] = std::isfinite(grid->box) ? nlohmann::ordered_json(grid->box) : nullptr;
+  row["D_xy"] = run.last.D_xy;
+  row["theta"] = run.last.theta;
+  row["seconds"] = run.seconds;
+  return row;
+}
+
+void print_head(const std::filesystem::path& file, const Case& c) {
   std::printf("\n%s: %s, Ca = %g, V = %g, at kt = %g, %d nodes\n\n", file.stem().c_str(),
               word(c.shape).data(), c.Ca, c.V, c.until.kt, c.fidelity.nodes);
   std::printf("| fluid       |   dx |  box |   D_xy |    differs | theta/pi | differs | seconds |\n");
   std::printf("|---|---|---|---|---|---|---|---|\n");
+}
+
+/// What was found, without `order_in_dx` if a run had no answer. As text each run is printed as it ends.
+nlohmann::ordered_json compare(const std::filesystem::path& file, const Case& c, bool json) {
+  nlohmann::ordered_json found = {
+      {"file", file.string()}, {"case", to_json(c)}, {"runs", nlohmann::ordered_json::array()}};
+  if (!json) print_head(file, c);
   const auto stokes = run(in_stokes_flow(c));
-  if (!stokes) return kExitNoAnswer;
-  print_row("stokes", nullptr, *stokes, stokes->last);
+  if (!stokes) return found;
+  const auto add = [&](const char* fluid, const Grid* grid, const Run& run) {
+    found["runs"].push_back(row_of(fluid, grid, run));
+    if (!json) print_row(fluid, grid, run, stokes->last);
+  };
+  add("stokes", nullptr, *stokes);
   std::array<double, 5> D_xy{}, theta{};
   for (std::size_t i = 0; i < kGrids.size(); ++i) {
     const auto lattice = run(on_lattice(c, kGrids[i]));
-    if (!lattice) return kExitNoAnswer;
-    print_row("quasisteady", &kGrids[i], *lattice, stokes->last);
+    if (!lattice) return found;
+    add("quasisteady", &kGrids[i], *lattice);
     D_xy[i] = lattice->last.D_xy, theta[i] = lattice->last.theta;
   }
   Run extrapolated;
   extrapolated.last.D_xy = limit(D_xy), extrapolated.last.theta = limit(theta);
   const Grid none{0, INFINITY};
-  print_row("limit", &none, extrapolated, stokes->last);
-  std::printf("\norder in dx: %.2f\n", order_in_dx(D_xy));
-  return kExitDone;
+  add("limit", &none, extrapolated);
+  found["order_in_dx"] = order_in_dx(D_xy);
+  if (!json) std::printf("\norder in dx: %.2f\n", order_in_dx(D_xy));
+  return found;
 }
 
 }  // namespace
 
-int compare_models(const std::vector<std::filesystem::path>& case_files) {
+int compare_models(const std::vector<std::filesystem::path>& case_files, bool json) {
   std::vector<Case> cases;
   for (const std::filesystem::path& file : case_files) {
     const ParsedCase parsed = read_case(file);
@@ -106,7 +128,12 @@ int compare_models(const std::vector<std::filesystem::path>& case_files) {
   }
   if (cases.size() < case_files.size()) return kExitInvalidInput;
   int worst = kExitDone;
-  for (size_t n = 0; n < cases.size(); ++n) worst = std::max(worst, compare(case_files[n], cases[n]));
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (size_t n = 0; n < cases.size(); ++n) {
+    all.push_back(compare(case_files[n], cases[n], json));
+    if (!all.back().contains("order_in_dx")) worst = kExitNoAnswer;
+  }
+  if (json) std::cout << nlohmann::ordered_json{{"cases", all}}.dump(2) << '\n';
   return worst;
 }
 

@@ -103,22 +103,23 @@ void JobQueue::want_cases(const std::string& study_id) {
   database_.execute("UPDATE cases SET cancel_requested = 0 WHERE cancel_requested = 1" + wanted, study_id);
 }
 
-bool JobQueue::cancel(const std::string& study_id) {
+std::optional<int> JobQueue::cancel(const std::string& study_id) {
   Transaction transaction(database_);
   const int known =
       database_.execute("UPDATE studies SET cancelled_at = ? WHERE id = ?", clock_.now(), study_id);
-  if (known == 0) return false;
+  if (known == 0) return std::nullopt;
   const std::string unwanted =
       " AND id IN (SELECT case_id FROM study_cases WHERE study_id = ?) AND NOT EXISTS (SELECT 1 FROM "
       "study_cases w"
       " JOIN studies s ON s.id = w.study_id WHERE w.case_id = cases.id AND s.cancelled_at IS NULL)";
-  database_.execute(
+  const int queued = database_.execute(
       "UPDATE cases SET state = 'cancelled', message = 'cancelled by the user' WHERE state = 'queued'" +
           unwanted,
       study_id);
-  database_.execute("UPDATE cases SET cancel_requested = 1 WHERE state = 'running'" + unwanted, study_id);
+  const int running =
+      database_.execute("UPDATE cases SET cancel_requested = 1 WHERE state = 'running'" + unwanted, study_id);
   transaction.commit();
-  return true;
+  return queued + running;
 }
 
 std::optional<Deletion> JobQueue::remove(const std::string& study_id) {
@@ -165,32 +166,36 @@ void JobQueue::forget(const std::vector<std::string>& case_ids) {
   transaction.commit();
 }
 
-bool JobQueue::set_priority(const std::string& study_id, int priority) {
-  Transaction transaction(database_);
-  const int known =
-      database_.execute("UPDATE schedule SET priority = ? WHERE study_id = ?", priority, study_id);
-  transaction.commit();
-  return known > 0;
+std::optional<int> JobQueue::queued_cases(const std::string& study_id) {
+  Statement row = database_.query("SELECT queued FROM schedule WHERE study_id = ?", study_id);
+  if (!row.step()) return std::nullopt;
+  return static_cast<int>(row.integer(0));
 }
 
-bool JobQueue::pause(const std::string& study_id, bool is_paused) {
+std::optional<int> JobQueue::set_priority(const std::string& study_id, int priority) {
   Transaction transaction(database_);
-  const int known =
-      database_.execute("UPDATE schedule SET is_paused = ? WHERE study_id = ?", is_paused ? 1 : 0, study_id);
+  database_.execute("UPDATE schedule SET priority = ? WHERE study_id = ?", priority, study_id);
   transaction.commit();
-  return known > 0;
+  return queued_cases(study_id);
 }
 
-bool JobQueue::retry(const std::string& study_id) {
-  if (!database_.query("SELECT 1 FROM studies WHERE id = ?", study_id).step()) return false;
+std::optional<int> JobQueue::pause(const std::string& study_id, bool is_paused) {
   Transaction transaction(database_);
-  database_.execute(
+  database_.execute("UPDATE schedule SET is_paused = ? WHERE study_id = ?", is_paused ? 1 : 0, study_id);
+  transaction.commit();
+  return queued_cases(study_id);
+}
+
+std::optional<int> JobQueue::retry(const std::string& study_id) {
+  if (!queued_cases(study_id)) return std::nullopt;
+  Transaction transaction(database_);
+  const int failed = database_.execute(
       "UPDATE cases SET state = 'queued', crashes = 0, not_before = 0, message = 'to be tried again'"
       " WHERE state = 'failed' AND id IN (SELECT case_id FROM study_cases JOIN studies s ON s.id = study_id"
       " WHERE s.id = ? AND cancelled_at IS NULL)",
       study_id);
   transaction.commit();
-  return true;
+  return failed;
 }
 
 /// A back-off that ends later than one that began now was written before the clock was set back: it is over.

@@ -68,8 +68,15 @@ class JobQueue {
   /// by it
   Submission submit(const Study& study, const std::string& key = "");
 
-  /// False if there is no such study. Queued cases are cancelled at once, running ones marked for it.
-  bool cancel(const std::string& study_id);
+  // The following return how many cases they concern, and nothing if there is no such study.
+  /// Queued cases are cancelled at once, running ones marked for it.
+  std::optional<int> cancel(const std::string& study_id);
+  /// The higher, the sooner; 0 at first. Concerns the queued cases.
+  std::optional<int> set_priority(const std::string& study_id, int priority);
+  /// What runs goes on, nothing is started. Concerns the queued cases.
+  std::optional<int> pause(const std::string& study_id, bool is_paused);
+  /// Queues its failed cases again, unless it is cancelled.
+  std::optional<int> retry(const std::string& study_id);
 
   /// The study goes at once, and with it the cases that no other study wants: they become unwanted, the
   /// running ones among them end first. Nothing if there is no such study.
@@ -78,11 +85,6 @@ class JobQueue {
   /// directories says so by `forget`; until then, also of a later daemon, they are given again.
   std::vector<std::string> delete_unwanted(int most);
   void forget(const std::vector<std::string>& case_ids);
-
-  // The following return false if there is no such study.
-  bool set_priority(const std::string& study_id, int priority);  ///< the higher, the sooner; 0 at first
-  bool pause(const std::string& study_id, bool is_paused);       ///< what runs goes on, nothing is started
-  bool retry(const std::string& study_id);  ///< queues its failed cases again, unless it is cancelled
 
   /// The next case of the study whose turn it is: of the highest priority, and there of the one served
   /// longest ago.
@@ -114,6 +116,7 @@ class JobQueue {
   void remember(const std::string& key, const std::string& document_hash);
   void add_points(const std::string& study_id, const Study& study);
   void want_cases(const std::string& study_id);
+  std::optional<int> queued_cases(const std::string& study_id);  ///< nothing if there is no such study
   bool end_attempt(const Claim& claim, std::string_view ending, const std::string& reason);
 
   Database& database_;

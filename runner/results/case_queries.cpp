@@ -48,7 +48,8 @@ ordered_json case_of(const Statement& row) {
   const double kt = row.real(4);
   ordered_json shown = {{"id", row.text(0)}, {"state", state}, {"message", row.text(2)}};
   shown["motion"] = row.is_null(7) ? ordered_json() : ordered_json(row.text(7));
-  shown["progress"] = is_ended(state) ? 1.0 : std::min(1.0, kt / parameters["until"]["kt"].get<double>());
+  const bool is_complete = is_ended(state) && state != "cancelled";
+  shown["progress"] = is_complete ? 1.0 : std::min(1.0, kt / parameters["until"]["kt"].get<double>());
   shown["kt"] = kt;
   shown["parameters"] = std::move(parameters);
   add_result(shown, row.text(8));

@@ -57,4 +57,9 @@ std::optional<nlohmann::ordered_json> find_case(Database& database, const std::s
 /// {"kt": [..], "D_xy": [..], …}: the recorded times of a case; nothing if there is no such case.
 std::optional<nlohmann::ordered_json> find_history(Database& database, const std::string& case_id);
 
+/// {"studies": [..], "cases": [..]}: the ids that `word` may stand for, at most twenty each. A study: the one
+/// with this id, else those of this name, else those whose id begins so. A case: the one with this id, else
+/// those whose id begins so.
+nlohmann::ordered_json find_ids(Database& database, const std::string& word);
+
 }  // namespace capstan

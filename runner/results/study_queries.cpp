@@ -54,14 +54,24 @@ double cost_begun(Database& database, const std::string& study_id) {
   return row.real(0);
 }
 
-/// The share of the study's cost that is behind it, rounded: sums of costs are not exact.
-double progress(Database& database, const std::string& study_id, const Statement& row) {
-  const bool has_ended =
-      row.integer(kFirstCount) == 0 && row.integer(kFirstCount + 1) == 0;  // queued, running
-  if (has_ended) return 1;
+/// The share of the study's cost that is behind it, rounded: sums of costs are not exact. What was cancelled
+/// is missing, also when the study has ended.
+double progress(Database& database, const std::string& study_id, const ordered_json& cases,
+                const Statement& row) {
+  if (cases["queued"] == 0 && cases["running"] == 0 && cases["cancelled"] == 0) return 1;
   constexpr double kDigits = 1e6;
   const double share = (row.real(kCostEnded) + cost_begun(database, study_id)) / row.real(kCostTotal);
   return std::clamp(std::round(kDigits * share) / kDigits, 0.0, 1.0);
+}
+
+/// queued, running, paused, done or cancelled. What a paused study still runs does not change that it is
+/// paused.
+const char* state_of(const ordered_json& study) {
+  const ordered_json& cases = study["cases"];
+  if (study["cancelled"]) return "cancelled";
+  if (cases["queued"] == 0 && cases["running"] == 0) return "done";
+  if (study["paused"]) return "paused";
+  return cases["running"] > 0 ? "running" : "queued";
 }
 
 ordered_json study_of(Database& database, const Statement& row) {
@@ -75,8 +85,9 @@ ordered_json study_of(Database& database, const Statement& row) {
   study["notes"] = ordered_json::parse(row.text(kNotes));
   study["points"] = row.integer(kPoints);
   study["cases"] = count_states(row);
+  study["state"] = state_of(study);
   study["motions"] = count_motions(row);
-  study["progress"] = progress(database, id, row);
+  study["progress"] = progress(database, id, study["cases"], row);
   return study;
 }
 

@@ -96,14 +96,14 @@ void Service::submit_waiting() {
   }
 }
 
-bool Service::write(const std::function<bool()>& change) {
+std::optional<int> Service::write(const std::function<std::optional<int>()>& change) {
   const std::lock_guard lock(writing_);
-  const bool known = change();
+  const std::optional<int> cases = change();
   changed_();
-  return known;
+  return cases;
 }
 
-bool Service::cancel(const std::string& study_id) {
+std::optional<int> Service::cancel(const std::string& study_id) {
   return write([&] { return queue_.cancel(study_id); });
 }
 
@@ -112,20 +112,20 @@ std::optional<Deletion> Service::remove(const std::string& study_id) {
   std::optional<Deletion> deletion;
   write([&] {
     deletion = queue_.remove(study_id);
-    return deletion.has_value();
+    return deletion ? std::optional<int>(deletion->deleted) : std::nullopt;
   });
   return deletion;
 }
 
-bool Service::set_priority(const std::string& study_id, int priority) {
+std::optional<int> Service::set_priority(const std::string& study_id, int priority) {
   return write([&] { return queue_.set_priority(study_id, priority); });
 }
 
-bool Service::pause(const std::string& study_id, bool is_paused) {
+std::optional<int> Service::pause(const std::string& study_id, bool is_paused) {
   return write([&] { return queue_.pause(study_id, is_paused); });
 }
 
-bool Service::retry(const std::string& study_id) {
+std::optional<int> Service::retry(const std::string& study_id) {
   return write([&] { return queue_.retry(study_id); });
 }
 

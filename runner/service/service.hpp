@@ -44,12 +44,13 @@ class Service {
   /// Safe on the disk on return; those that wait for the disk at the same time are written together.
   /// \param key  of an Idempotency-Key, or ""; throws KeyReused if it came with another study before
   Submission submit(const Study& study, const std::string& key = "");
-  // False if there is no such study.
-  bool cancel(const std::string& study_id);
-  bool set_priority(const std::string& study_id, int priority);
+  // How many cases they concern; nothing if there is no such study.
+  std::optional<int> cancel(const std::string& study_id);
+  std::optional<int> set_priority(const std::string& study_id, int priority);
+  std::optional<int> pause(const std::string& study_id, bool is_paused);
+  std::optional<int> retry(const std::string& study_id);
+  /// Of the study; its cases go with it, unless another study wants them.
   std::optional<Deletion> remove(const std::string& study_id);
-  bool pause(const std::string& study_id, bool is_paused);
-  bool retry(const std::string& study_id);
   /// At another fidelity, which may help diverged cases, too; the faults that this one would have. Of an
   /// unknown study there is nothing to retry.
   Issues retry_at(const std::string& study_id, const nlohmann::json& fidelity);
@@ -100,7 +101,7 @@ class Service {
 
   void submit_waiting();
   void delete_unwanted();
-  bool write(const std::function<bool()>& change);
+  std::optional<int> write(const std::function<std::optional<int>()>& change);
   void take_over();
   bool start_next();
   void start(Claim& claim);

@@ -22,6 +22,7 @@ Response get_studies(Service& service, const Request& request, const std::string
 Response get_study(Service& service, const Request& request, const std::string& id);
 Response delete_study(Service& service, const Request& request, const std::string& id);
 Response get_study_cases(Service& service, const Request& request, const std::string& id);
+Response get_study_why(Service& service, const Request& request, const std::string& id);
 Response get_phase_diagram(Service& service, const Request& request, const std::string& id);
 Response get_study_events(Service& service, const Request& request, const std::string& id);
 Response cancel_study(Service& service, const Request& request, const std::string& id);
@@ -33,5 +34,7 @@ Response set_priority(Service& service, const Request& request, const std::strin
 Response get_case(Service& service, const Request& request, const std::string& id);
 Response get_case_why(Service& service, const Request& request, const std::string& id);
 Response get_case_history(Service& service, const Request& request, const std::string& id);
+
+Response get_ids(Service& service, const Request& request, const std::string& word);
 
 }  // namespace capstan

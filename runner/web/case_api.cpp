@@ -44,4 +44,9 @@ Response get_case_history(Service& service, const Request& request, const std::s
   return response;
 }
 
+Response get_ids(Service& service, const Request&, const std::string& word) {
+  const Readers::Reader database = service.reader();
+  return json_response(200, find_ids(*database, word));
+}
+
 }  // namespace capstan

@@ -25,6 +25,7 @@ constexpr Route kRoutes[] = {
     {"GET", "/v1/studies/{id}", get_study},
     {"DELETE", "/v1/studies/{id}", delete_study},
     {"GET", "/v1/studies/{id}/cases", get_study_cases, case_list_parameters},
+    {"GET", "/v1/studies/{id}/why", get_study_why},
     {"GET", "/v1/studies/{id}/phase-diagram", get_phase_diagram, phase_diagram_parameters},
     {"GET", "/v1/studies/{id}/events", get_study_events},
     {"POST", "/v1/studies/{id}/cancel", cancel_study},
@@ -35,6 +36,7 @@ constexpr Route kRoutes[] = {
     {"GET", "/v1/cases/{id}", get_case},
     {"GET", "/v1/cases/{id}/why", get_case_why},
     {"GET", "/v1/cases/{id}/history", get_case_history, history_parameters},
+    {"GET", "/v1/ids/{id}", get_ids},
 };
 
 /// The path's id ("" on a route without one), if the path matches the route's.

@@ -3,6 +3,7 @@
 #include "runner/results/disk_warning.hpp"
 #include "runner/results/phase_diagram.hpp"
 #include "runner/results/queries.hpp"
+#include "runner/results/why.hpp"
 #include "runner/study/study.hpp"
 #include "runner/web/api.hpp"
 #include "runner/web/page_query.hpp"
@@ -30,6 +31,24 @@ ordered_json with_links(ordered_json study) {
   const std::string self = "/v1/studies/" + study["id"].get<std::string>();
   study["links"] = {{"self", self}, {"cases", self + "/cases"}, {"phase_diagram", self + "/phase-diagram"}};
   return study;
+}
+
+/// The study after a change that concerned so many of its cases.
+Response changed_study(Service& service, const std::string& id, std::optional<int> cases) {
+  if (!cases) return no_such_study(id);
+  const Readers::Reader database = service.reader();
+  ordered_json study = with_links(*find_study(*database, id));
+  study["changed"] = *cases;
+  return json_response(200, study);
+}
+
+/// The cases that a retry at another fidelity replaces; nothing if there is no such study.
+std::optional<int> replaceable_cases(Service& service, const std::string& id) {
+  const Readers::Reader database = service.reader();
+  const auto study = find_study(*database, id);
+  if (!study) return std::nullopt;
+  const ordered_json& cases = (*study)["cases"];
+  return (*study)["cancelled"] ? 0 : cases["failed"].get<int>() + cases["diverged"].get<int>();
 }
 
 }  // namespace
@@ -68,6 +87,12 @@ Response get_study(Service& service, const Request&, const std::string& id) {
   return study ? json_response(200, with_links(*study)) : no_such_study(id);
 }
 
+Response get_study_why(Service& service, const Request&, const std::string& id) {
+  const Readers::Reader database = service.reader();
+  const auto reasons = why_study(*database, id, service.why_nothing_starts());
+  return reasons ? json_response(200, *reasons) : no_such_study(id);
+}
+
 Response get_study_cases(Service& service, const Request& request, const std::string& id) {
   const PageQuery page = read_page_query(request);
   if (!page.issues.empty()) return problem(400, "Invalid page", "the query names no page", page.issues);
@@ -98,16 +123,16 @@ Response delete_study(Service& service, const Request&, const std::string& id) {
                        {{"study", id}, {"deleted_cases", deletion->deleted}, {"kept_cases", deletion->kept}});
 }
 
-Response cancel_study(Service& service, const Request& request, const std::string& id) {
-  return service.cancel(id) ? get_study(service, request, id) : no_such_study(id);
+Response cancel_study(Service& service, const Request&, const std::string& id) {
+  return changed_study(service, id, service.cancel(id));
 }
 
-Response pause_study(Service& service, const Request& request, const std::string& id) {
-  return service.pause(id, true) ? get_study(service, request, id) : no_such_study(id);
+Response pause_study(Service& service, const Request&, const std::string& id) {
+  return changed_study(service, id, service.pause(id, true));
 }
 
-Response resume_study(Service& service, const Request& request, const std::string& id) {
-  return service.pause(id, false) ? get_study(service, request, id) : no_such_study(id);
+Response resume_study(Service& service, const Request&, const std::string& id) {
+  return changed_study(service, id, service.pause(id, false));
 }
 
 /// Without a body the failed cases as they stand, with {"fidelity": …} the failed and diverged ones at that.
@@ -115,12 +140,13 @@ Response retry_study(Service& service, const Request& request, const std::string
   if (!request.body.empty()) {
     const ParsedJson parsed = parse_json(request.body);
     const bool is_object = parsed.value && parsed.value->is_object() && parsed.value->contains("fidelity");
+    const std::optional<int> replaceable = replaceable_cases(service, id);
     Issues issues = is_object ? service.retry_at(id, (*parsed.value)["fidelity"])
                               : Issues{{"", "send nothing, or {\"fidelity\": …} as in a study's base"}};
     if (!issues.empty()) return problem(422, "Invalid retry", "nothing was changed", issues);
-    return get_study(service, request, id);
+    return changed_study(service, id, replaceable);
   }
-  return service.retry(id) ? get_study(service, request, id) : no_such_study(id);
+  return changed_study(service, id, service.retry(id));
 }
 
 Response set_priority(Service& service, const Request& request, const std::string& id) {
@@ -131,7 +157,7 @@ Response set_priority(Service& service, const Request& request, const std::strin
   if (!given.is_number_integer() || given < -kMost || given > kMost)
     return problem(422, "Invalid priority", "send {\"priority\": N}",
                    {{"/priority", "must be a whole number from -100 to 100"}});
-  return service.set_priority(id, given) ? get_study(service, request, id) : no_such_study(id);
+  return changed_study(service, id, service.set_priority(id, given));
 }
 
 }  // namespace capstan

@@ -49,11 +49,12 @@ std::vector<std::string> environment_with(const std::string& fail_at) {
 
 }  // namespace
 
-CommandResult run_capstan(const std::string& arguments) {
+CommandResult run_capstan(const std::string& arguments, const std::string& redirection) {
   const TemporaryDirectory directory;
   const std::string out = directory.path() / "out";
   const std::string errors = directory.path() / "errors";
-  const int status = std::system((CAPSTAN_PROGRAM " " + arguments + " >" + out + " 2>" + errors).c_str());
+  const int status = std::system(
+      (CAPSTAN_PROGRAM " " + arguments + " >" + out + " 2>" + errors + " " + redirection).c_str());
   return {WEXITSTATUS(status), content(out), content(errors)};
 }
 

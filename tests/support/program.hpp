@@ -17,7 +17,8 @@ struct CommandResult {
 };
 
 /// Runs `capstan ARGUMENTS` in a shell, until it ends.
-CommandResult run_capstan(const std::string& arguments);
+/// \param redirection  of the shell, as ">/dev/full": then `output` is empty
+CommandResult run_capstan(const std::string& arguments, const std::string& redirection = "");
 
 /// The daemon ended before it said where it serves; `exit_code` as of Daemon::end_with.
 struct DaemonDied : std::runtime_error {
@@ -30,8 +31,8 @@ struct DaemonDied : std::runtime_error {
 class Daemon {
  public:
   /// Returns when it answers; throws DaemonDied if it does not come to that.
-  /// \param more     further arguments of `capstan serve`; three cores and a free port unless they say otherwise
-  /// \param fail_at  a fail point, "NAME:N" (runner/queue/fail_point.hpp)
+  /// \param more     further arguments of `capstan serve`; three cores and a free port unless they say
+  /// otherwise \param fail_at  a fail point, "NAME:N" (runner/queue/fail_point.hpp)
   explicit Daemon(const std::filesystem::path& data, const std::vector<std::string>& more = {},
                   const std::string& fail_at = "");
   ~Daemon();

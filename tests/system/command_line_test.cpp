@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <csignal>
 #include <fstream>
 
 #include "tests/support/program.hpp"
@@ -59,6 +62,103 @@ TEST_F(CommandLineTest, UnknownCommandIsInvalidInput) {
   EXPECT_EQ(run_capstan("fly").exit_code, 2);
   EXPECT_EQ(run_capstan("").exit_code, 2);
   EXPECT_EQ(run_capstan("submit --wrong").exit_code, 2);
+}
+
+TEST_F(CommandLineTest, UnknownWordsAreNamedWithTheNearestKnownOne) {
+  const auto errors = [](const std::string& arguments) { return run_capstan(arguments).errors; };
+  EXPECT_THAT(errors("sumbit study.json"),
+              HasSubstr("no command \"capstan sumbit\"; did you mean \"submit\"?"));
+  EXPECT_THAT(errors("result x --format csv"),
+              HasSubstr("no command \"capstan result\"; did you mean \"results\"?"));
+  EXPECT_THAT(errors("fly"), HasSubstr("no command \"capstan fly\"\n"));
+  EXPECT_THAT(errors("show x --sever y"),
+              HasSubstr("capstan show has no option --sever; did you mean \"--server\"?"));
+  EXPECT_THAT(errors("show x --jsno=1"), HasSubstr("has no option --jsno; did you mean \"--json\"?"));
+  EXPECT_THAT(errors("validate a b"), HasSubstr("capstan validate takes no further argument \"b\""));
+  EXPECT_THAT(errors("show"), HasSubstr("ID is required"));
+}
+
+TEST_F(CommandLineTest, VersionNamesProgramAndNumerics) {
+  const CommandResult result = run_capstan("--version");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.output, MatchesRegex("capstan [0-9.]+\nnumerics [0-9]+\n"));
+}
+
+TEST_F(CommandLineTest, OutputThatCannotBeWrittenIsAnError) {
+  const std::string validate = "validate " + study_file({{"Ca", {0.25}}});
+  for (const std::string& arguments :
+       {std::string("--help"), std::string("--version"), validate, validate + " --json"})
+    for (const char* place : {">/dev/full", ">&-"}) {
+      const CommandResult result = run_capstan(arguments, place);
+      EXPECT_EQ(result.exit_code, 1) << arguments << place;
+      EXPECT_THAT(result.errors, HasSubstr("cannot write to standard output")) << arguments << place;
+    }
+  EXPECT_EQ(run_capstan("validate nowhere.json", ">/dev/full").exit_code, 1);
+  EXPECT_EQ(run_capstan("fly", ">/dev/full").exit_code, 2);
+}
+
+TEST_F(CommandLineTest, ReaderThatHasEnoughIsNoReasonToComplain) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  close(ends[0]);
+  const auto before = std::signal(SIGPIPE, SIG_IGN);  // the command inherits it
+  const CommandResult result = run_capstan("--help", ">&" + std::to_string(ends[1]));
+  std::signal(SIGPIPE, before);
+  close(ends[1]);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, IsEmpty());
+}
+
+TEST_F(CommandLineTest, DatabaseDoesNotTakeThePlaceOfAClosedStandardOutput) {
+  const CommandResult result = run_capstan("doctor --data " + directory_.path().string(), ">&- 2>&- <&-");
+  EXPECT_EQ(result.exit_code, 1);
+}
+
+TEST_F(CommandLineTest, CaseIsValidatedAsOne) {
+  const CommandResult valid = run_capstan("validate " + file_with(R"({"shape": "sphere", "Ca": 0.1})"));
+  EXPECT_EQ(valid.exit_code, 0);
+  EXPECT_THAT(valid.output, MatchesRegex("valid: a case, [0-9a-f]{16}\n"));
+  const CommandResult faulty = run_capstan("validate " + file_with(R"({"shape": "sphere", "Ca": -1})"));
+  EXPECT_EQ(faulty.exit_code, 2);
+  EXPECT_THAT(faulty.errors, HasSubstr("1 fault\n  /Ca  is -1"));
+}
+
+TEST_F(CommandLineTest, CaseIsNotSubmitted) {
+  const CommandResult result =
+      run_capstan("submit " + file_with(R"({"Ca": 0.1})") + " --server http://127.0.0.1:9");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("this is a case, not a study"));
+}
+
+TEST_F(CommandLineTest, StandardInputIsAFile) {
+  const CommandResult result = run_capstan("validate -", "<" + study_file({{"Ca", {0.25, 0.75}}}));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.output, StartsWith("valid: 2 cases\n"));
+  const CommandResult faulty = run_capstan("validate -", "</dev/null");
+  EXPECT_EQ(faulty.exit_code, 2);
+  EXPECT_THAT(faulty.errors, StartsWith("standard input: 1 fault"));
+}
+
+TEST_F(CommandLineTest, ValidateAnswersProgramsInJson) {
+  const auto validate = [&](const std::string& file) {
+    return nlohmann::json::parse(run_capstan("validate --json " + file).output);
+  };
+  const nlohmann::json study = validate(study_file({{"Ca", {0.25, 0.75}}}));
+  EXPECT_EQ(study["kind"], "study");
+  EXPECT_EQ(study["cases"], 2);
+  EXPECT_EQ(validate(file_with(R"({"Ca": 0.1})"))["case"]["Ca"], 0.1);
+  const nlohmann::json faulty = validate(file_with(R"({"Ca": -1})"));
+  EXPECT_EQ(faulty["valid"], false);
+  EXPECT_EQ(faulty["errors"][0]["pointer"], "/Ca");
+}
+
+TEST_F(CommandLineTest, WhatIsNoServerUrlIsInvalidInput) {
+  for (const char* url : {"foo", "http://127.0.0.1:99999", "ftp://127.0.0.1", "http://"}) {
+    const CommandResult result = run_capstan(std::string("studies --server ") + url);
+    EXPECT_EQ(result.exit_code, 2) << url;
+    EXPECT_THAT(result.errors, HasSubstr("is no server URL")) << url;
+    EXPECT_THAT(result.errors, HasSubstr("http://127.0.0.1:8017")) << url;
+  }
 }
 
 TEST_F(CommandLineTest, ValidStudyIsSummarised) {
@@ -140,6 +240,116 @@ TEST_F(ServedCommandLineTest, StudiesAreListedAndShown) {
 TEST_F(ServedCommandLineTest, UnknownStudyIsNotFound) {
   for (const char* command : {"show", "watch", "results", "cancel", "phase-diagram"})
     EXPECT_EQ(ask(std::string(command) + " nobody-0000").exit_code, 4) << command;
+  EXPECT_EQ(ask("show ../../healthz").exit_code, 4);
+}
+
+TEST_F(ServedCommandLineTest, EveryAnswerThatCannotBeWrittenIsAnError) {
+  const std::string file = study_file({{"Ca", {0.25}}});
+  std::string id = ask("submit " + file + " --watch").output;
+  id.pop_back();
+  for (const std::string& command :
+       {std::string("studies"), "show " + id, "results " + id, "results " + id + " --format csv",
+        "results " + id + " --json", "phase-diagram " + id, "watch " + id, "why " + id, "submit " + file,
+        "retry " + id, "pause " + id, "resume " + id, "priority " + id + " 1", "cancel " + id,
+        "backup " + (directory_.path() / "copy").string() + " --data " + data_.path().string()}) {
+    const std::string server = command.starts_with("backup") ? "" : " --server " + daemon_.url();
+    const CommandResult result = run_capstan(command + server, ">/dev/full");
+    EXPECT_EQ(result.exit_code, 1) << command;
+    EXPECT_THAT(result.errors, HasSubstr("cannot write to standard output")) << command;
+  }
+}
+
+TEST_F(ServedCommandLineTest, ServerIsFoundByEveryFormOfItsUrl) {
+  const std::string authority = daemon_.url().substr(std::string("http://").size());
+  for (const std::string& url : {"http://" + authority + "/", "HTTP://" + authority, authority})
+    EXPECT_EQ(run_capstan("studies --server " + url).exit_code, 0) << url;
+  EXPECT_EQ(run_capstan("studies --server http://" + authority + "/lab").exit_code,
+            4);  // no proxy takes the prefix off
+}
+
+TEST_F(ServedCommandLineTest, EnvironmentNamesTheServer) {
+  setenv("CAPSTAN_SERVER", daemon_.url().c_str(), 1);
+  const CommandResult result = run_capstan("studies");
+  unsetenv("CAPSTAN_SERVER");
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(run_capstan("studies --help").output, HasSubstr("CAPSTAN_SERVER"));
+}
+
+TEST_F(ServedCommandLineTest, StudyIsFoundByItsNameOrTheBeginningOfItsId) {
+  const std::string id = submit_and_wait({{"Ca", {0.25, 0.75}}});
+  for (const std::string& typed : {std::string("cli"), std::string("CL"), id.substr(0, 5), id})
+    EXPECT_THAT(ask("show " + typed).output, StartsWith(id)) << typed;
+  const nlohmann::json cases = nlohmann::json::parse(ask("results cli --json").output)["cases"];
+  const std::string case_id = cases[0]["id"];
+  EXPECT_THAT(ask("why " + case_id.substr(0, 12)).output, StartsWith(case_id + ": done\n"));
+}
+
+TEST_F(ServedCommandLineTest, AmbiguousWordIsAnsweredWithWhatItCouldBe) {
+  const std::string first = submit_and_wait({{"Ca", {0.25}}}), second = submit_and_wait({{"Ca", {0.75}}});
+  const CommandResult result = ask("cancel cli");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("\n  " + first));
+  EXPECT_THAT(result.errors, HasSubstr("\n  " + second));
+}
+
+TEST_F(ServedCommandLineTest, SeveralStudiesAreAskedForAtOnce) {
+  const std::string first = submit_and_wait({{"Ca", {0.25}}}), second = submit_and_wait({{"Ca", {0.75}}});
+  const std::string both = first + " " + second;
+  for (const char* command :
+       {"show", "results", "phase-diagram", "why", "pause", "resume", "retry", "cancel"}) {
+    const CommandResult text = ask(std::string(command) + " " + both);
+    EXPECT_EQ(text.exit_code, 0) << command;
+    EXPECT_THAT(text.output, HasSubstr(first)) << command;
+    EXPECT_THAT(text.output, HasSubstr(second)) << command;
+    EXPECT_EQ(nlohmann::json::parse(ask(std::string(command) + " --json " + both).output).size(), 2u)
+        << command;
+  }
+  EXPECT_EQ(ask("cancel " + first + " nobody-0000").exit_code, 4);
+}
+
+TEST_F(ServedCommandLineTest, EveryResultComesAsOneJsonDocument) {
+  const std::string file = study_file({{"Ca", {0.25, 0.75}}});
+  const auto json = [&](const std::string& arguments) {
+    return nlohmann::json::parse(ask(arguments + " --json").output);
+  };
+  const std::string id = json("submit --watch " + file)["id"];
+  EXPECT_EQ(json("submit " + file)["id"], id);
+  EXPECT_EQ(json("studies")["studies"][0]["id"], id);
+  EXPECT_EQ(json("show " + id)["cases"]["done"], 2);
+  EXPECT_EQ(json("watch " + id)["state"], "done");
+  EXPECT_EQ(json("results " + id)["cases"].size(), 2u);
+  EXPECT_EQ(json("phase-diagram " + id)["x"]["parameter"], "Ca");
+  EXPECT_EQ(json("why " + id)["reasons"][0]["cases"], 2);
+  EXPECT_EQ(json("priority " + id + " 3")["priority"], 3);
+  EXPECT_EQ(json("cancel " + id)["changed"], 0);
+  const CommandResult copy = run_capstan("backup --json " + (directory_.path() / "copy").string() +
+                                         " --data " + data_.path().string());
+  EXPECT_TRUE(nlohmann::json::parse(copy.output).contains("file"));
+}
+
+TEST_F(ServedCommandLineTest, ChangesSayHowManyCasesTheyConcern) {
+  std::string id =
+      ask("submit " + study_file({{"Ca", {0.25}}, {"V", {70, 71, 72, 73, 40}}})).output;  // three run
+  id.pop_back();
+  EXPECT_THAT(ask("pause " + id).output,
+              ContainsRegex("^" + id + ": paused, [0-9]+ queued cases? will not start"));
+  EXPECT_THAT(ask("studies").output, ContainsRegex(id + " +(paused|running)"));
+  EXPECT_THAT(ask("priority " + id + " 7").output, ContainsRegex(": priority 7 for [0-9]+ queued case"));
+  EXPECT_THAT(ask("resume " + id).output, ContainsRegex(": resumed, [0-9]+ queued cases? can start"));
+  EXPECT_THAT(ask("cancel " + id).output, ContainsRegex(": cancelled [0-9]+ cases?,"));
+  EXPECT_EQ(ask("watch " + id).exit_code, 3);
+  const CommandResult list = ask("studies");
+  EXPECT_THAT(list.output, HasSubstr("cancelled"));
+  EXPECT_THAT(list.output, Not(HasSubstr("100 %")));
+}
+
+TEST_F(ServedCommandLineTest, StudyIsExplainedByTheReasonsOfItsCases) {
+  const std::string id = submit_and_wait({{"Ca", {0.25, 0.3}}, {"V", {4, 50}}});
+  const CommandResult result = ask("why " + id);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.output, StartsWith(id + ": done\n"));
+  EXPECT_THAT(result.output, HasSubstr("  2 cases: done, with an answer\n"));
+  EXPECT_THAT(result.output, HasSubstr("  2 cases: diverged: the membrane tore at kt = 0.3 (case "));
 }
 
 }  // namespace

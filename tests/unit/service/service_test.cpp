@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "runner/queue/schema.hpp"
+#include "runner/results/why.hpp"
 #include "solver/case/run_cost.hpp"
 #include "tests/support/service_fixture.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
+using testing::UnorderedElementsAre;
 using namespace std::chrono_literals;
 
 class ServiceTest : public ServiceFixture {
@@ -343,6 +345,69 @@ TEST_F(ServiceTest, ReusedKeyIsRefusedAndConcernsNobodyElse) {
   EXPECT_EQ(refused, 3);
   const Readers::Reader reader = service_->reader();
   EXPECT_EQ(list_studies(*reader, {}).items.size(), 5u);
+}
+
+TEST_F(ServiceTest, WordStandsForTheIdsThatItNamesOrBegins) {
+  const auto add = [&](const char* name, double Ca) {
+    return service_->submit(sample_study(name, {{"Ca", {Ca}}})).study_id;
+  };
+  const std::string fig1 = add("Fig1", 0.1), fig16 = add("fig16", 0.2), again = add("fig16", 0.3);
+  const auto studies = [&](const std::string& word) {
+    return find_ids(*service_->reader(), word)["studies"].get<std::vector<std::string>>();
+  };
+  EXPECT_THAT(studies("Fig1"), ElementsAre(fig1));
+  EXPECT_THAT(studies("fig16"), UnorderedElementsAre(fig16, again));
+  EXPECT_THAT(studies("fig"), UnorderedElementsAre(fig1, fig16, again));
+  EXPECT_THAT(studies(fig16), ElementsAre(fig16));
+  EXPECT_THAT(studies("g16"), IsEmpty());
+  const std::string id = cases(fig1)[0]["id"];
+  EXPECT_EQ(find_ids(*service_->reader(), id.substr(0, 10))["cases"][0], id);
+}
+
+TEST_F(ServiceTest, StateOfAStudyIsInOneWord) {
+  const std::string id = service_->submit(sample_study("study", {{"Ca", {0.25, 0.5, 0.75}}})).study_id;
+  EXPECT_EQ(study(id)["state"], "queued");
+  service_->tick();
+  EXPECT_EQ(study(id)["state"], "running");
+  EXPECT_EQ(service_->pause(id, true), 1);
+  EXPECT_EQ(study(id)["state"], "paused");
+  EXPECT_EQ(service_->pause(id, false), 1);
+  for (const char* run : {"run 1", "run 2", "run 3"}) {
+    complete(run, "tumbling");
+    service_->tick();
+  }
+  EXPECT_EQ(study(id)["state"], "done");
+}
+
+TEST_F(ServiceTest, CancelledStudyThatHasEndedIsNotComplete) {
+  const std::string id = submit({{"Ca", {0.25}}, {"E_b", {0.01}}, {"c0", {0, 1, 2, 3}}});  // equal costs
+  complete("run 1", "tumbling");
+  service_->tick();
+  EXPECT_EQ(service_->cancel(id), 3);
+  executor_.exit("run 2", 75);
+  executor_.exit("run 3", 75);
+  service_->tick();
+  EXPECT_EQ(study(id)["cases"]["cancelled"], 3);
+  EXPECT_EQ(study(id)["state"], "cancelled");
+  EXPECT_EQ(study(id)["progress"], 0.25);
+  EXPECT_EQ(cases(id)[3]["progress"], 0);
+}
+
+TEST_F(ServiceTest, ReasonsOfAStudyAreCounted) {
+  const std::string id = service_->submit(sample_study("study", {{"Ca", {0.1, 0.2, 0.3, 0.4}}})).study_id;
+  service_->tick();
+  executor_.exit("run 1", 2);
+  executor_.exit("run 2", 2);
+  service_->pause(id, true);
+  service_->tick();
+  const auto reasons = why_study(*service_->reader(), id).value()["reasons"];
+  ASSERT_EQ(reasons.size(), 2u);
+  EXPECT_EQ(reasons[0]["cases"], 2);
+  EXPECT_EQ(reasons[0]["reason"], "queued; the study is paused: capstan resume " + id);
+  EXPECT_EQ(reasons[1]["cases"], 2);
+  EXPECT_EQ(reasons[1]["reason"],
+            "failed: the solver refused the case (case " + std::string(cases(id)[0]["id"]) + ")");
+  EXPECT_FALSE(why_study(*service_->reader(), "nobody-0000"));
 }
 
 TEST_F(ServiceTest, FailedAndDivergedCasesAreReplacedByFinerOnes) {

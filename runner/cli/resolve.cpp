@@ -1,0 +1,56 @@
+#include "runner/cli/resolve.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Anything else is no id, and need not be written into a URL.
+bool could_be_an_id(const std::string& typed) {
+  constexpr std::size_t kLongest = 120;
+  const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '-' || c == '_'); };
+  return !typed.empty() && typed.size() <= kLongest && std::all_of(typed.begin(), typed.end(), allowed);
+}
+
+ordered_json matches(Client& client, const std::string& typed) {
+  if (could_be_an_id(typed)) return client.get("/v1/ids/" + typed);
+  return {{"studies", ordered_json::array()}, {"cases", ordered_json::array()}};
+}
+
+[[noreturn]] void refuse_ambiguous(const std::string& typed, const std::vector<std::string>& found) {
+  std::string text = "\"" + typed + "\" could be any of these:";
+  for (const std::string& id : found) text += "\n  " + id;
+  throw std::invalid_argument(text);
+}
+
+/// The one that was found.
+std::string only(const std::string& what, const std::string& typed, const std::vector<std::string>& found) {
+  if (found.empty())
+    throw Refused(404, "there is no " + what + " \"" + typed + "\"; capstan studies lists the studies", {});
+  if (found.size() > 1) refuse_ambiguous(typed, found);
+  return found.front();
+}
+
+}  // namespace
+
+std::string path_of_any(Client& client, const std::string& typed) {
+  const ordered_json found = matches(client, typed);
+  std::vector<std::string> named, paths;
+  for (const auto& [name, kind] : {std::pair{"study ", "studies"}, std::pair{"case ", "cases"}})
+    for (const std::string id : found[kind]) {
+      named.push_back(name + id);
+      paths.push_back(std::string("/v1/") + kind + "/" + id);
+      if (id == typed) return paths.back();
+    }
+  only("study or case", typed, named);
+  return paths.front();
+}
+
+std::string study_id(Client& client, const std::string& typed) {
+  return only("study", typed, matches(client, typed)["studies"].get<std::vector<std::string>>());
+}
+
+}  // namespace capstan

@@ -1,0 +1,16 @@
+#pragma once
+// What people type for a study or a case: its id, the beginning of it that no other has, or the study's name.
+#include <string>
+
+#include "runner/cli/client.hpp"
+
+namespace capstan {
+
+/// The path of the study or the case on the server. Throws Refused (404) if there is none, and
+/// std::invalid_argument, with the matches, if there are several.
+std::string path_of_any(Client& client, const std::string& typed);
+
+/// The id of the study; throws as path_of_any does.
+std::string study_id(Client& client, const std::string& typed);
+
+}  // namespace capstan
