@@ -9,7 +9,8 @@
 namespace capstan {
 namespace {
 
-constexpr double kFolded = 90, kCollapsed = 5;  // degrees; smooth surfaces have angles below 60 and above 10
+constexpr double kFolded = 90,
+                 kCollapsed = 2;  // degrees; an oblate capsule of aspect 0.1 has 53 and 6.6 at rest
 
 std::string rounded(double number) {
   std::ostringstream text;
@@ -30,8 +31,9 @@ bool is_unstable(const Case& c) {
 
 std::string of_the_time_step(const Case& c) {
   if (c.fluid == Fluid::transient)
-    return "The transient flow's time step is 0.04 Re dx^2, which may be too long for this membrane: lower "
-           "dx, or raise Ca.";
+    return "The transient flow's time step, 0.04 Re dx^2, may be too long for this membrane: lower Re, E_b "
+           "or C, or "
+           "raise Ca.";
   if (c.fidelity.stepper != Stepper::adams_bashforth) return "";
   const double shorter = std::min(c.fidelity.kdt / 4, 0.5 / fastest_decay(c));
   return "The time step of ab2, kdt = " + rounded(c.fidelity.kdt) +
@@ -75,6 +77,8 @@ std::string remedy(const Case& c, const SurfaceQuality& surface, bool of_motion)
   std::string all;
   for (const std::string& one : {of_step, of_folds(c, surface), of_collapse(c, surface)})
     if (!one.empty()) all += (all.empty() ? "" : " ") + one;
+  if (all.empty() && of_motion)
+    return "The forces of the membrane are too strong: raise Ca, or lower E_b, C or c0.";
   return all;
 }
 

@@ -70,7 +70,7 @@ FlowReport StokesFlow::solve_for_contrast(const Surface& surface, const std::vec
   FlowReport report{.iterations = solution.products, .error = solution.relative_error};
   if (!(solution.relative_error <= options_.tolerance)) {
     report.converged = false;
-    report.fault = "the boundary integral equation did not converge; V far from 1 and thin parts of the capsule make it hard";
+    report.fault = "the boundary integral equation did not converge: raise tolerance, take V nearer to 1, or the fluid quasisteady";
   }
   return report;
 }

@@ -42,6 +42,14 @@ TEST(Limits, RunsOfTooManyStepsAreRefusedWithTheKeyToChange) {
       fault_at("/fidelity/kdt", "1e+10 time steps"));
 }
 
+TEST(Limits, ATransientFlowThatIsTooFastForItsLatticeOrItsMembraneIsRefused) {
+  EXPECT_THAT(issues_of(R"({"Ca": 0.1, "Re": 10, "fidelity": "fast"})"),
+              fault_at("/Re", "lower Re, dx or box"));
+  EXPECT_THAT(issues_of(R"({"Ca": 0.0017, "law": "skalak", "C": 134, "Re": 3, "fidelity": "fast"})"),
+              fault_at("/Ca", "raise Ca"));
+  EXPECT_THAT(issues_of(R"({"Ca": 0.1, "Re": 3, "fidelity": "fast"})"), IsEmpty());
+}
+
 TEST(Limits, RunsOfTooManyRecordsOrShapesAreRefused) {
   EXPECT_THAT(issues_of(R"({"Ca": 0.1, "until": {"kt": 10000}, "outputs": {"history_every": 1e-3}})"),
               fault_at("/outputs/history_every", "1e+07 records"));

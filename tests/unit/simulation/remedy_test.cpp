@@ -46,8 +46,13 @@ TEST(Remedy, OfCollapsedTrianglesIsResistanceAgainstCompression) {
   EXPECT_THAT(remedy(parsed_case(R"({"Ca": 1})"), kCollapsed, true), HasSubstr("collapsed"));
 }
 
-TEST(Remedy, OfTheTransientFlowIsASmallerSpacing) {
-  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.01, "Re": 5})"), kSmooth, true), HasSubstr("lower dx"));
+TEST(Remedy, OfTheTransientFlowIsASofterMembrane) {
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.1, "Re": 5})"), kSmooth, true), HasSubstr("raise Ca"));
+}
+
+TEST(Remedy, IsThereForEveryLostMotion) {
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.01, "E_b": 1, "c0": -20})"), kSmooth, true),
+              HasSubstr("lower E_b, C or c0"));
 }
 
 TEST(LostSurface, IsFoldedOrCollapsedOrNotANumber) {
