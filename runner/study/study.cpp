@@ -13,6 +13,7 @@
 #include "runner/study/expand.hpp"
 #include "runner/study/study_notes.hpp"
 #include "solver/case/content_id.hpp"
+#include "solver/case/mistyped_keys.hpp"
 
 namespace capstan {
 namespace {
@@ -60,6 +61,17 @@ void spell_numbers_alike(json& value) {
   if (!value.is_number_float()) return;
   const double number = value;
   if (number == std::floor(number) && std::abs(number) <= kLargestWhole) value = static_cast<std::int64_t>(number);
+}
+
+/// So that a mistyped key is one fault, and what it was meant to be is not missing.
+Issues rename_mistyped_keys_of_study(json& document) {
+  Issues issues = rename_mistyped_keys(document, {"name", "description", "base", "axes"});
+  for (const auto& [group, known] : {std::pair{"base", case_keys()}, std::pair{"axes", axis_parameters()}})
+    if (document.contains(group)) {
+      const Issues more = rename_mistyped_keys(document[group], known, std::string("/") + group);
+      issues.insert(issues.end(), more.begin(), more.end());
+    }
+  return issues;
 }
 
 /// Reads one document; what is wrong with it gathers in `issues`, at most one fault a pointer.
@@ -244,6 +256,7 @@ ParsedStudy parse_study(const json& document) {
   }
   json alike = document;
   spell_numbers_alike(alike);
+  parsed.issues = rename_mistyped_keys_of_study(alike);
   Study study = StudyReader(alike, parsed.issues).read();
   if (parsed.issues.empty()) parsed.value = std::move(study);
   limit_number(parsed.issues);

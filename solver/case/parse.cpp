@@ -7,6 +7,8 @@
 
 #include "solver/case/choose_fluid.hpp"
 #include "solver/case/limits.hpp"
+#include "solver/case/mistyped_keys.hpp"
+#include "solver/case/nearest_word.hpp"
 #include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
 
@@ -71,16 +73,29 @@ class ObjectReader {
   void choice(const char* key, Enum& value, const std::array<Enum, N>& choices, std::string_view also = {}) {
     const json* found = take(key);
     if (!found) return;
-    std::string words;
-    for (Enum option : choices) {
-      if (found->is_string() && found->get_ref<const std::string&>() == word(option)) {
-        value = option;
-        return;
-      }
-      words += (words.empty() ? "" : ", ") + std::string(word(option));
-    }
-    if (!also.empty()) words += ", " + std::string(also);
-    fault(key, "must be one of: " + words + "; is " + found->dump(-1, ' ', false, json::error_handler_t::replace));
+    std::vector<std::string> words;
+    for (Enum option : choices) words.emplace_back(word(option));
+    if (!also.empty()) words.emplace_back(also);
+    const std::string meant = is_one_of(key, *found, words);
+    for (Enum option : choices)
+      if (meant == word(option)) value = option;
+  }
+
+  /// The word, or a fault and the nearest of the words, if one is near.
+  std::string is_one_of(const char* key, const json& found, const std::vector<std::string>& words) {
+    const std::string given = found.is_string() ? found.get<std::string>() : "";
+    if (std::find(words.begin(), words.end(), given) != words.end()) return given;
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+    fault(key, "must be one of: " + list + "; is " + found.dump(-1, ' ', false, json::error_handler_t::replace) +
+                   suggestion(given, words));
+    return nearest_word(given, words).value_or("");
+  }
+
+  /// What depends on a value that is wrong is no fault of its own.
+  bool is_faulty(const char* key) const {
+    const auto stands_there = [&](const Issue& issue) { return issue.pointer == pointer_ + "/" + key; };
+    return std::any_of(issues_.begin(), issues_.end(), stands_there);
   }
 
   /// A key that is only meaningful under a condition.
@@ -102,10 +117,18 @@ class ObjectReader {
 
   void finish() {
     for (const auto& [key, value] : object_.items())
-      if (!known_.contains(key)) issues_.push_back({pointer_ + "/" + escaped(key), "unknown key"});
+      if (!known_.contains(key))
+        issues_.push_back({pointer_ + "/" + escaped(key), "unknown key" + suggestion(key, missing_keys())});
   }
 
  private:
+  std::vector<std::string> missing_keys() const {
+    std::vector<std::string> missing;
+    for (const std::string& key : known_)
+      if (!object_.contains(key)) missing.push_back(key);
+    return missing;
+  }
+
   static std::string escaped(const std::string& key) {
     std::string text;
     for (char c : key) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
@@ -121,11 +144,12 @@ class ObjectReader {
 void read_shape(ObjectReader& reader, Case& c) {
   reader.choice("shape", c.shape, std::array{Shape::sphere, Shape::oblate, Shape::prolate, Shape::biconcave});
   const bool spheroid = c.shape == Shape::oblate || c.shape == Shape::prolate;
-  reader.without_effect("aspect", spheroid, "only oblate and prolate shapes have an aspect");
+  reader.without_effect("aspect", spheroid || reader.is_faulty("shape"), "only oblate and prolate shapes have an aspect");
   if (!spheroid) {
     reader.take("aspect");
   } else if (!reader.has("aspect")) {
-    reader.fault("aspect", "is missing: the axis of revolution over the equatorial axis (b/a)");
+    if (!reader.is_faulty("shape"))
+      reader.fault("aspect", "is missing: the axis of revolution over the equatorial axis (b/a)");
   } else if (c.shape == Shape::oblate) {
     reader.number("aspect", c.aspect, {0.1, 1});
   } else {
@@ -135,9 +159,10 @@ void read_shape(ObjectReader& reader, Case& c) {
 
 void read_membrane(ObjectReader& reader, Case& c) {
   reader.choice("law", c.law, std::array{Law::neo_hookean, Law::skalak});
-  reader.without_effect("C", c.law == Law::skalak, "only the skalak law has the constant C");
+  const bool law_is_known = !reader.is_faulty("law");
+  reader.without_effect("C", c.law == Law::skalak || !law_is_known, "only the skalak law has the constant C");
   if (c.law == Law::skalak) {
-    if (!reader.has("C")) reader.fault("C", "is missing: Skalak's resistance to area dilation");
+    if (!reader.has("C") && law_is_known) reader.fault("C", "is missing: Skalak's resistance to area dilation");
     reader.number("C", c.C, {0, 1000});
   }
   reader.take("C");
@@ -145,7 +170,7 @@ void read_membrane(ObjectReader& reader, Case& c) {
   reader.number("Ca", c.Ca, {1e-4, 100});
   reader.number("E_b", c.E_b, {0, 10});
   for (const char* key : {"bending", "c0"})
-    reader.without_effect(key, c.has_bending(), "E_b is 0, so there is no bending resistance");
+    reader.without_effect(key, c.has_bending() || reader.is_faulty("E_b"), "E_b is 0, so there is no bending resistance");
   reader.choice("bending", c.bending, std::array{BendingModel::variational, BendingModel::helfrich_literal});
   const json* c0 = reader.take("c0");
   if (c0 && c0->is_number()) {
@@ -155,7 +180,8 @@ void read_membrane(ObjectReader& reader, Case& c) {
   } else if (c0 && *c0 == "uniform") {
     c.c0 = UniformCurvature{};
   } else if (c0 && *c0 != "initial") {
-    reader.fault("c0", "must be a number (in units of 1/a), \"initial\" or \"uniform\"");
+    reader.fault("c0", "must be a number (in units of 1/a), \"initial\" or \"uniform\"" +
+                           suggestion(c0->is_string() ? c0->get<std::string>() : "", {"initial", "uniform"}));
   }
 }
 
@@ -218,14 +244,9 @@ Fidelity preset_for(const Case& c, const FidelityPreset& preset) {
 
 /// The preset's knobs, if `name` is one.
 void start_from_preset(ObjectReader& reader, const char* key, const json& name, const Case& c, Fidelity& fidelity) {
-  if (name.is_string())
-    if (const FidelityPreset* preset = find_preset(name.get_ref<const std::string&>())) {
-      fidelity = preset_for(c, *preset);
-      return;
-    }
-  std::string names;
-  for (const FidelityPreset& preset : fidelity_presets()) names += (names.empty() ? "" : ", ") + std::string(preset.name);
-  reader.fault(key, "must be one of: " + names);
+  std::vector<std::string> names;
+  for (const FidelityPreset& preset : fidelity_presets()) names.emplace_back(preset.name);
+  if (const FidelityPreset* preset = find_preset(reader.is_one_of(key, name, names))) fidelity = preset_for(c, *preset);
 }
 
 void read_knobs(ObjectReader& knobs, const Case& c, Fidelity& fidelity) {
@@ -296,8 +317,10 @@ ParsedCase parse_case(const json& object) {
     parsed.issues.push_back({"", std::string("a case must be an object, is ") + object.type_name()});
     return parsed;
   }
+  json corrected = object;
+  parsed.issues = rename_mistyped_keys(corrected, case_keys());
   Case c;
-  ObjectReader reader(object, "", parsed.issues);
+  ObjectReader reader(corrected, "", parsed.issues);
   read_shape(reader, c);
   read_membrane(reader, c);
   read_flow(reader, c, parsed.choices);

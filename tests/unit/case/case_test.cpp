@@ -84,6 +84,37 @@ TEST(ParseCase, RefusesKeysItDoesNotKnow) {
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"a/b~c", 1}}), ElementsAre("/a~1b~0c"));
 }
 
+TEST(ParseCase, MistypedWordIsOneFaultThatNamesTheNearest) {
+  const auto message = [](json keys) {
+    keys["Ca"] = 0.1;
+    return only_message(keys);
+  };
+  EXPECT_THAT(message({{"law", "Skalak"}, {"C", 5}}), HasSubstr("did you mean \"skalak\"?"));
+  EXPECT_THAT(message({{"law", "neohookean"}}), HasSubstr("did you mean \"neo-hookean\"?"));
+  EXPECT_THAT(message({{"shape", "Oblate"}, {"aspect", 0.5}}), HasSubstr("did you mean \"oblate\"?"));
+  EXPECT_THAT(message({{"fluid", "Stokes"}}), HasSubstr("did you mean \"stokes\"?"));
+  EXPECT_THAT(message({{"fluid", "Auto"}}), HasSubstr("did you mean \"auto\"?"));
+  EXPECT_THAT(message({{"fidelity", "Fast"}}), HasSubstr("did you mean \"fast\"?"));
+  EXPECT_THAT(message({{"fidelity", {{"preset", "standart"}}}}), HasSubstr("did you mean \"standard\"?"));
+  EXPECT_THAT(message({{"E_b", 0.01}, {"c0", "Initial"}}), HasSubstr("did you mean \"initial\"?"));
+}
+
+TEST(ParseCase, UnknownWordIsNoReasonToDoubtWhatDependsOnIt) {
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"law", "mooney-rivlin"}, {"C", 5}}), ElementsAre("/law"));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"shape", "cube"}, {"aspect", 0.5}}), ElementsAre("/shape"));
+  EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"E_b", "soft"}, {"c0", 0}}), ElementsAre("/E_b"));
+}
+
+TEST(ParseCase, MistypedKeyIsOneFaultThatNamesTheNearest) {
+  EXPECT_THAT(only_message({{"ca", 0.1}}), HasSubstr("unknown key; did you mean \"Ca\"?"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"Eb", 0.01}, {"c0", 0}}), HasSubstr("did you mean \"E_b\"?"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"fidelty", {{"nodes", 642}}}}), HasSubstr("\"fidelity\"?"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"fidelity", {{"node", 642}}}}), HasSubstr("\"nodes\"?"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"until", {{"KT", 3}}}}), HasSubstr("did you mean \"kt\"?"));
+  EXPECT_THAT(faulty_pointers({{"ca", 0.1}}), ElementsAre("/ca"));
+  EXPECT_EQ(only_message({{"Ca", 0.1}, {"colour", "red"}}), "unknown key");
+}
+
 TEST(ParseCase, RefusesKeysWithoutEffectAndSaysWhy) {
   EXPECT_THAT(only_message({{"Ca", 0.1}, {"C", 5}}), HasSubstr("no effect"));
   EXPECT_THAT(only_message({{"Ca", 0.1}, {"aspect", 0.5}}), HasSubstr("no effect"));

@@ -49,6 +49,33 @@ TEST(Study, ExpandsToTheProductOfItsAxesWithTheLastAxisFastest) {
   EXPECT_EQ(study->cases[1].C, 5);
 }
 
+TEST(Study, MistypedKeyIsOneFaultThatNamesTheNearest) {
+  const auto only = [](json document) {
+    const Issues issues = parse_study(document).issues;
+    return issues.size() == 1 ? issues[0].pointer + ": " + issues[0].message
+                              : std::to_string(issues.size()) + " issues";
+  };
+  json document = red_cell_grid();
+  document["axes"] = {{"ca", {0.25, 0.5}}, {"V", {2, 4}}};
+  EXPECT_EQ(only(document), "/axes/ca: unknown key; did you mean \"Ca\"?");
+  document["axes"] = {{"V", {2, 4}}};
+  document["base"]["ca"] = 0.25;
+  EXPECT_EQ(only(document), "/base/ca: unknown key; did you mean \"Ca\"?");
+  document = red_cell_grid();
+  document["axis"] = document["axes"];
+  document.erase("axes");
+  EXPECT_EQ(only(document), "/axis: unknown key; did you mean \"axes\"?");
+  document = red_cell_grid();
+  document["base"]["law"] = "Skalak";
+  EXPECT_THAT(only(document),
+              HasSubstr("/base/law: must be one of: neo-hookean, skalak; is \"Skalak\"; did you mean"));
+  document = red_cell_grid();
+  document["base"].erase("law");
+  document["axes"]["law"] = {"neo-hookean", "Skalak"};
+  EXPECT_THAT(only(document),
+              HasSubstr("/axes/law/1: must be one of: neo-hookean, skalak; is \"Skalak\"; did you mean"));
+}
+
 TEST(Study, WithoutAxesIsOneCase) {
   const auto study = parse_study(json::parse(R"({"name": "one", "base": {"Ca": 0.1}})")).value;
   ASSERT_TRUE(study);
