@@ -1,15 +1,12 @@
 #pragma once
 // The commands, with their arguments read. Each returns the exit code.
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "runner/cli/client.hpp"
+#include "runner/execute/usable_cores.hpp"
 
 namespace capstan {
-
-/// Cases that run side by side where nothing else is said.
-inline int all_cores() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
 struct ServeArguments {
   std::string data = "capstan-data";
@@ -18,7 +15,7 @@ struct ServeArguments {
   double memory_mb = 0;                 ///< that a case may take; 0: as much as it wants
   int wall_seconds = 0;                 ///< that an attempt may take; 0: as long as it wants
   int lease_seconds = 60;               ///< that a process may stand still
-  int cores = all_cores();
+  int cores = usable_cores();           ///< cases that run side by side
 };
 int serve(const ServeArguments& arguments);
 

@@ -106,7 +106,7 @@ Action declare_doctor(CLI::App& command) {
 
 Action declare_backup(CLI::App& command) {
   auto arguments = std::make_shared<UpkeepArguments>();
-  command.add_option("FILE", arguments->file, "the copy; replaced if it is there")->required();
+  command.add_option("FILE", arguments->file, "the copy; an earlier one is replaced")->required();
   add_data_option(command, arguments->data);
   add_json_flag(command, arguments->json);
   command.footer(
@@ -294,7 +294,7 @@ Action declare_compare(CLI::App& command, const Physics& physics) {
 Action declare_estimate(CLI::App& command, const Physics& physics) {
   struct Arguments {
     std::string file;
-    int cores = all_cores();
+    int cores = usable_cores();
     bool json = false;
   };
   auto arguments = std::make_shared<Arguments>();
