@@ -22,12 +22,16 @@ bool is_unavailable(int code) {
   return false;
 }
 
+bool is_damage(int code) { return (code & 0xff) == SQLITE_CORRUPT || (code & 0xff) == SQLITE_NOTADB; }
+
 [[noreturn]] void fail(sqlite3* connection, const std::string& operation) {
   if (!connection) throw DatabaseError("database: " + operation + ": out of memory");
   const char* name = sqlite3_db_filename(connection, "main");
   const std::string what =
       "database " + std::string(name ? name : "") + ": " + operation + ": " + sqlite3_errmsg(connection);
-  if (is_unavailable(sqlite3_errcode(connection))) throw DatabaseUnavailable(what);
+  const int code = sqlite3_errcode(connection);
+  if (is_damage(code)) throw DatabaseDamaged(what + kWhatToDoAboutDamage);
+  if (is_unavailable(code)) throw DatabaseUnavailable(what);
   throw DatabaseError(what);
 }
 
@@ -124,6 +128,7 @@ Database::Database(const std::filesystem::path& file, Access access)
   if (access == Access::read) return;
   probe_ = std::make_unique<WriteProbe>(std::filesystem::absolute(file).parent_path());
   prepare_for_writing();
+  files_ = std::make_unique<FilesInPlace>(file);
 }
 
 Database::Database(const std::filesystem::path& file, int flags) {
@@ -155,7 +160,17 @@ void Database::bring_to_present_format() {
   transaction.commit();
 }
 
+void Database::expect_in_place() const {
+  const std::string fault = files_ ? files_->fault() : "";
+  if (!fault.empty())
+    throw DatabaseUnavailable(
+        fault +
+        " while it was in use: nothing is written any more. What was stored can still be read "
+        "(capstan results) until the server ends; then put a backup in its place and start it again");
+}
+
 void Database::expect_writable() const {
+  expect_in_place();
   const std::string fault = probe_ ? probe_->fault() : "";
   if (!fault.empty())
     throw DatabaseUnavailable("database " + std::string(sqlite3_db_filename(connection_.get(), "main")) +

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runner/queue/clock.hpp"
+#include "runner/queue/files_in_place.hpp"
 #include "runner/queue/write_probe.hpp"
 
 namespace capstan {
@@ -28,6 +29,17 @@ class DatabaseUnavailable : public DatabaseError {
  public:
   using DatabaseError::DatabaseError;
 };
+
+/// Pages of the file are not what SQLite has written.
+class DatabaseDamaged : public DatabaseError {
+ public:
+  using DatabaseError::DatabaseError;
+};
+
+/// Where such a fault is told to people.
+inline constexpr const char* kWhatToDoAboutDamage =
+    ": the database is damaged. Stop the server; capstan doctor says what is damaged and mends what it can "
+    "(--repair); else put the newest backup in its place as capstan.sqlite";
 
 /// Statements that were compiled before and wait for their next use: compiling costs more than running. Each
 /// takes some 20 kB, so beyond a number the one that was not used for longest goes.
@@ -115,8 +127,10 @@ class Database {
 
   /// Throws DatabaseUnavailable where nothing can be written. To be asked before each write: the index of
   /// SQLite's log is a file in shared memory, and on a disk that has failed its first change is no error but
-  /// the end of the process (SIGBUS; seen on XFS).
+  /// the end of the process (SIGBUS; seen on XFS). From any thread.
   void expect_writable() const;
+  /// Throws DatabaseUnavailable if the files of a writer were removed or replaced. From any thread.
+  void expect_in_place() const;
   bool in_transaction() const { return sqlite3_get_autocommit(connection_.get()) == 0; }
 
  private:
@@ -129,7 +143,9 @@ class Database {
   };
   std::unique_ptr<sqlite3, Close> connection_;
   std::shared_ptr<IdleStatements> idle_ = std::make_shared<IdleStatements>();
-  std::unique_ptr<WriteProbe> probe_;  ///< of a writer
+  // Of a writer:
+  std::unique_ptr<WriteProbe> probe_;
+  std::unique_ptr<FilesInPlace> files_;
 };
 
 /// What a commit outlives. A promise to a client waits for the disk; what only says how far a run is need

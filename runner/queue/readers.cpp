@@ -11,7 +11,10 @@ Readers::Reader Readers::take() {
       idle_.pop_back();
     }
   }
-  if (!database) database = std::make_unique<Database>(file_, Database::Access::read);
+  if (!database) {
+    writer_.expect_in_place();
+    database = std::make_unique<Database>(file_, Database::Access::read);
+  }
   database->execute_script("BEGIN");
   return Reader(database.release(), GiveBack{this});
 }

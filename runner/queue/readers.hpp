@@ -11,7 +11,9 @@ namespace capstan {
 
 class Readers {
  public:
-  explicit Readers(std::filesystem::path database) : file_(std::move(database)) {}
+  /// \param writer  while its files are not in place, none is opened
+  Readers(std::filesystem::path database, const Database& writer)
+      : file_(std::move(database)), writer_(writer) {}
 
   struct GiveBack {
     Readers* readers;
@@ -31,6 +33,7 @@ class Readers {
   void give_back(Database* database);
 
   const std::filesystem::path file_;
+  const Database& writer_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<Database>> idle_;
 };

@@ -89,7 +89,8 @@ TEST_F(DatabaseTest, ReaderCannotWrite) {
 }
 
 TEST_F(DatabaseTest, ReaderSeesOneMomentAndWhoTakesItNextTheNext) {
-  Readers readers(file_);
+  const Database writer(file_, Database::Access::write);
+  Readers readers(file_, writer);
   const auto count = [](Database& database) {
     Statement row = database.query("SELECT count(*) FROM cases");
     row.step();
