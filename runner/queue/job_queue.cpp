@@ -47,7 +47,7 @@ Submission JobQueue::submit(const Study& study, const std::string& key) {
   const std::string document = study.document.dump();
   const std::string hash = sha256_hex(document);
   Transaction transaction(database_);
-  if (!key.empty()) remember(key, hash);
+  const bool is_same_request = !key.empty() && is_repeated(key, hash);
   const std::string identity = std::to_string(kNumericsVersion) + ":" + hash;
   Statement known = database_.query("SELECT id FROM studies WHERE document_hash = ?", identity);
   Submission submission;
@@ -62,6 +62,7 @@ Submission JobQueue::submit(const Study& study, const std::string& key) {
     add_points(submission.study_id, study);
   } else {
     database_.execute("UPDATE studies SET cancelled_at = NULL WHERE id = ?", submission.study_id);
+    submission.is_resumed = !is_same_request && resume(submission.study_id);
   }
   want_cases(submission.study_id);
   fail_point("submitting");
@@ -79,12 +80,20 @@ std::string JobQueue::study_id_for(const Study& study, const std::string& hash) 
   }
 }
 
-void JobQueue::remember(const std::string& key, const std::string& document_hash) {
-  database_.execute("INSERT INTO idempotency_keys VALUES (?, ?, ?) ON CONFLICT DO NOTHING", key,
-                    document_hash, clock_.now());
+/// False if it was not paused.
+bool JobQueue::resume(const std::string& study_id) {
+  return database_.execute("UPDATE schedule SET is_paused = 0 WHERE study_id = ? AND is_paused = 1",
+                           study_id) > 0;
+}
+
+/// True if a client has sent the same under this key before; otherwise the key is remembered.
+bool JobQueue::is_repeated(const std::string& key, const std::string& document_hash) {
+  const int added = database_.execute("INSERT INTO idempotency_keys VALUES (?, ?, ?) ON CONFLICT DO NOTHING",
+                                      key, document_hash, clock_.now());
   Statement row = database_.query("SELECT document_hash FROM idempotency_keys WHERE key = ?", key);
   if (!row.step() || row.text(0) != document_hash)
     throw KeyReused("the key \"" + key + "\" came with another study before");
+  return added == 0;
 }
 
 void JobQueue::add_points(const std::string& study_id, const Study& study) {
@@ -313,16 +322,21 @@ std::vector<Claim> JobQueue::running() {
   return claims;
 }
 
-int JobQueue::give_back_expired() {
+int JobQueue::give_back_expired(const std::function<bool(const Claim&)>& is_held) {
   Transaction transaction(database_, Survives::kill);
   std::vector<Claim> expired;
   Statement row = database_.query(
       "SELECT id, document, token, attempt, '' FROM cases WHERE state = 'running' AND lease_until < ?",
       clock_.now());
   while (row.step()) expired.push_back(read_claim(row));
-  for (const Claim& claim : expired) interrupted(claim, "its lease expired: nobody was heard of it");
+  int given_back = 0;
+  for (const Claim& claim : expired)
+    if (is_held(claim))
+      renew(claim);
+    else
+      given_back += interrupted(claim, "its lease expired: nobody was heard of it");
   transaction.commit();
-  return static_cast<int>(expired.size());
+  return given_back;
 }
 
 }  // namespace capstan

@@ -8,6 +8,7 @@
 //
 // A cancelled study's cases end as cancelled, unless another study wants them.
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -25,6 +26,7 @@ enum class Ending { done, failed, diverged };
 struct Submission {
   std::string study_id;
   bool is_new = false;
+  bool is_resumed = false;  ///< it was paused
 };
 
 /// The right to run one case; every later word about that run shows the token.
@@ -63,7 +65,7 @@ class JobQueue {
   std::chrono::milliseconds heartbeat() const { return lease_ / kHeartbeats; }
 
   /// Equal cases are one case, and the same study again is the same study: its cancelled cases are queued
-  /// again.
+  /// again, and if it was paused it is resumed.
   /// \param key  by which the client knows this submission, or ""; throws KeyReused if it knew another study
   /// by it
   Submission submit(const Study& study, const std::string& key = "");
@@ -108,12 +110,16 @@ class JobQueue {
   /// All claims, to reconcile with the run directories when the daemon starts.
   std::vector<Claim> running();
 
-  /// Gives back the cases whose holders have not renewed; their number.
-  int give_back_expired();
+  /// Gives back the cases whose holders have not renewed; their number. Those of which somebody knows that
+  /// they are held are renewed: then the clock was set forward.
+  int give_back_expired(const std::function<bool(const Claim&)>& is_held = [](const Claim&) {
+    return false;
+  });
 
  private:
   std::string study_id_for(const Study& study, const std::string& hash);
-  void remember(const std::string& key, const std::string& document_hash);
+  bool resume(const std::string& study_id);
+  bool is_repeated(const std::string& key, const std::string& document_hash);
   void add_points(const std::string& study_id, const Study& study);
   void want_cases(const std::string& study_id);
   std::optional<int> queued_cases(const std::string& study_id);  ///< nothing if there is no such study

@@ -1,5 +1,7 @@
 #include "runner/queue/replacement.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -35,6 +37,20 @@ void replace(Database& database, const std::string& old_id, const Case& by,
     remove_point(database, point);
     point.replaces = std::exchange(point.case_id, id);
     add_point(database, point);
+  }
+}
+
+/// Changes the cases of a query, which must not find those that were changed, some at a time: all of a large
+/// database would take gigabytes, and a start that is ended goes on where it was.
+void change_all(Database& database, const std::string& sql,
+                const std::function<void(const Stored&)>& change) {
+  constexpr int kTogether = 1000;
+  for (;;) {
+    Transaction transaction(database, Survives::kill);
+    const std::vector<Stored> some = read_cases(database.query(sql, kTogether));
+    for (const Stored& old : some) change(old);
+    transaction.commit();
+    if (some.empty()) return;
   }
 }
 
@@ -76,29 +92,27 @@ Issues replace_failed(Database& database, const std::string& study_id, const nlo
 
 void price_cases(Database& database) {
   constexpr double kOfARefusedCase = 1;
-  Transaction transaction(database);
-  for (const auto& [id, document] :
-       read_cases(database.query("SELECT id, document FROM cases WHERE cost = 0"))) {
-    const ParsedCase parsed = parse_stored_case(document);
-    database.execute("UPDATE cases SET cost = ? WHERE id = ?",
-                     parsed.value ? run_cost(*parsed.value) : kOfARefusedCase, id);
-  }
-  transaction.commit();
+  constexpr double kLeast = 1e-9;  // 0 is "not known yet"
+  change_all(database, "SELECT id, document FROM cases WHERE cost = 0 LIMIT ?", [&](const Stored& old) {
+    const ParsedCase parsed = parse_stored_case(old.document);
+    const double cost = parsed.value ? run_cost(*parsed.value) : kOfARefusedCase;
+    database.execute("UPDATE cases SET cost = ? WHERE id = ?", std::max(cost, kLeast), old.id);
+  });
 }
 
 void replace_outdated(Database& database) {
-  Transaction transaction(database);
-  for (const auto& [id, document] : read_cases(database.query(
-           "SELECT id, document FROM cases WHERE state = 'queued' AND numerics <> ?", kNumericsVersion))) {
-    const ParsedCase parsed = parse_stored_case(document);
-    if (parsed.value) replace(database, id, *parsed.value);
+  static const std::string outdated =
+      "SELECT id, document FROM cases WHERE state = 'queued' AND numerics <> " +
+      std::to_string(kNumericsVersion) + " LIMIT ?";
+  change_all(database, outdated, [&](const Stored& old) {
+    const ParsedCase parsed = parse_stored_case(old.document);
+    if (parsed.value) replace(database, old.id, *parsed.value);
     database.execute(
         "UPDATE cases SET state = ?, message = ? WHERE id = ?", parsed.value ? "cancelled" : "failed",
         parsed.value ? "a later numerics version computes case " + case_id(*parsed.value) + " instead"
                      : "this version refuses the case" + text_of(parsed.issues),
-        id);
-  }
-  transaction.commit();
+        old.id);
+  });
 }
 
 }  // namespace capstan

@@ -53,7 +53,8 @@ std::optional<int> replaceable_cases(Service& service, const std::string& id) {
 
 }  // namespace
 
-/// 201 for a new study, 200 for one that is known; nothing is queued unless everything is valid.
+/// 201 for a new study, 200 for one that is known; nothing is queued unless everything is valid. `resumed`
+/// says that the study was paused until now.
 Response post_study(Service& service, const Request& request, const std::string&) {
   constexpr std::size_t kLongestKey = 200;
   if (request.idempotency_key.size() > kLongestKey)
@@ -66,6 +67,7 @@ Response post_study(Service& service, const Request& request, const std::string&
   const Readers::Reader database = service.reader();
   ordered_json study = with_links(*find_study(*database, submission.study_id));
   study["warnings"] = submission.is_new ? warnings_of(*parsed.value, service) : ordered_json::array();
+  study["resumed"] = submission.is_resumed;
   Response response = json_response(submission.is_new ? 201 : 200, study);
   response.headers["Location"] = study["links"]["self"];
   return response;

@@ -117,7 +117,7 @@ class History {
       const ordered_json answer = client.post(
           "/v1/studies", study_document("s" + std::to_string(command.study), kAxes[command.study]).dump());
       known.id = answer["id"];
-      known.is_cancelled = false;
+      known.is_cancelled = known.is_paused = false;
     } else {
       client.post("/v1/studies/" + known.id + "/" + command.change,
                   command.change == "priority" ? json{{"priority", command.priority}}.dump() : "");

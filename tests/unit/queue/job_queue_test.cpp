@@ -144,6 +144,15 @@ TEST_F(JobQueueTest, ExpiredLeaseGivesTheCaseToTheNextAndNotToTheLate) {
   EXPECT_TRUE(queue_.finish(*next, Ending::done, ""));
 }
 
+TEST_F(JobQueueTest, ExpiredLeaseOfARunThatIsKnownIsRenewed) {
+  queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
+  const auto claim = queue_.claim();
+  clock_.jump(24h);
+  EXPECT_EQ(queue_.give_back_expired([&](const Claim& held) { return held.token == claim->token; }), 0);
+  EXPECT_EQ(queue_.give_back_expired(), 0);
+  EXPECT_TRUE(queue_.renew(*claim));
+}
+
 TEST_F(JobQueueTest, ResultIsRecordedOnce) {
   queue_.submit(two_cases_);
   const auto claim = queue_.claim();
@@ -286,6 +295,22 @@ TEST_F(JobQueueTest, PausedStudyStartsNothingUnlessAnotherWantsIt) {
   EXPECT_FALSE(queue_.claim());
   queue_.pause(id, false);
   EXPECT_EQ(nlohmann::json::parse(queue_.claim()->document)["Ca"], 0.25);
+}
+
+TEST_F(JobQueueTest, PausedStudyThatIsSubmittedAgainIsResumed) {
+  const std::string id = queue_.submit(two_cases_).study_id;
+  queue_.pause(id, true);
+  EXPECT_TRUE(queue_.submit(two_cases_).is_resumed);
+  EXPECT_TRUE(queue_.claim());
+  EXPECT_FALSE(queue_.submit(two_cases_).is_resumed);
+}
+
+/// The client has not seen the answer and asks again: that is no second wish.
+TEST_F(JobQueueTest, RequestThatIsRepeatedUnderItsKeyResumesNothing) {
+  const std::string id = queue_.submit(two_cases_, "key").study_id;
+  queue_.pause(id, true);
+  EXPECT_FALSE(queue_.submit(two_cases_, "key").is_resumed);
+  EXPECT_FALSE(queue_.claim());
 }
 
 TEST_F(JobQueueTest, RetryQueuesTheFailedCasesAlone) {
