@@ -1,9 +1,11 @@
 // The commands that look after a data directory, with or without a daemon that serves it.
+#include <sys/stat.h>
+
 #include <iostream>
 
 #include "runner/cli/commands.hpp"
 #include "runner/execute/exit_code.hpp"
-#include "runner/queue/database.hpp"
+#include "runner/service/backup.hpp"
 #include "runner/service/doctor.hpp"
 
 namespace capstan {
@@ -40,8 +42,8 @@ int examine_data(const UpkeepArguments& arguments) {
 }
 
 int back_up(const UpkeepArguments& arguments) {
-  Database database(std::filesystem::path(arguments.data) / "capstan.sqlite", Database::Access::read);
-  database.copy_to(arguments.file);
+  umask(077);  // the copy is as private as the database
+  back_up_database(arguments.data, arguments.file);
   if (arguments.json)
     std::cout << nlohmann::ordered_json{{"file", arguments.file}}.dump(2) << '\n';
   else
