@@ -40,9 +40,9 @@ bool RunDirectory::is_worthless() const {
 }
 
 std::optional<nlohmann::ordered_json> RunDirectory::result() const {
-  std::ifstream stream(result_file(), std::ios::binary);
-  if (!stream) return std::nullopt;
-  nlohmann::ordered_json result = nlohmann::ordered_json::parse(read_from(stream), nullptr, false);
+  const std::optional<std::string> text = read_file(result_file());
+  if (!text) return std::nullopt;
+  nlohmann::ordered_json result = nlohmann::ordered_json::parse(*text, nullptr, false);
   if (!result.is_object()) return std::nullopt;
   return result;
 }

@@ -29,7 +29,8 @@ class RunDirectory {
   /// Neither a result nor a checkpoint: to delete it loses nothing.
   bool is_worthless() const;
 
-  /// result.json, if the run has ended and left one that can be read.
+  /// result.json, if the run has ended and left one that is whole. Throws std::filesystem::filesystem_error
+  /// where it is there but cannot be read.
   std::optional<nlohmann::ordered_json> result() const;
 
   /// The end of what the process said, at most `size` bytes and from the start of a line.

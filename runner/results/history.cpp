@@ -1,9 +1,13 @@
 #include "runner/results/history.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
+
+#include "solver/state/durable_file.hpp"
 
 namespace capstan {
 namespace {
@@ -37,6 +41,37 @@ std::vector<HistoryRecord> HistoryTail::read_new() {
   return records;
 }
 
+/// What follows the last newline was still being written when the process ended.
+HistoryFile read_history(const std::filesystem::path& file) try {
+  const std::optional<std::string> text = read_file(file);
+  if (!text) return {{}, "is missing"};
+  HistoryFile history;
+  std::istringstream stream(*text);
+  for (std::string line; std::getline(stream, line) && !stream.eof();) {
+    const auto record = parse_record(line);
+    if (!record) {
+      history.fault = "is damaged in line " + std::to_string(history.records.size() + 1);
+      break;
+    }
+    history.records.push_back(*record);
+  }
+  return history;
+} catch (const std::filesystem::filesystem_error& error) {
+  if (is_shortage(error)) throw;
+  return {{}, "cannot be read: " + error.code().message()};
+}
+
+std::string history_lines(const std::vector<HistoryRecord>& records) {
+  std::string lines;
+  for (const HistoryRecord& record : records) {
+    nlohmann::ordered_json line;
+    for (std::size_t column = 0; column < record.size(); ++column)
+      if (!std::isnan(record[column])) line[kHistoryColumns[column]] = record[column];
+    lines += line.dump() + '\n';
+  }
+  return lines;
+}
+
 void store_history(Database& database, const std::string& case_id, std::size_t first,
                    const std::vector<HistoryRecord>& records) {
   if (records.empty()) return;
@@ -50,9 +85,23 @@ void store_history(Database& database, const std::string& case_id, std::size_t f
   transaction.commit();
 }
 
-void cut_history(Database& database, const std::string& case_id, std::size_t first) {
-  database.execute("DELETE FROM histories WHERE case_id = ? AND record >= ?", case_id,
-                   static_cast<std::int64_t>(first));
+void store_history_file(Database& database, const std::string& case_id, const HistoryFile& file) {
+  store_history(database, case_id, 0, file.records);
+  if (file.fault.empty())
+    database.execute("DELETE FROM histories WHERE case_id = ? AND record >= ?", case_id,
+                     static_cast<std::int64_t>(file.records.size()));
+}
+
+std::vector<HistoryRecord> stored_history(Database& database, const std::string& case_id) {
+  std::vector<HistoryRecord> records;
+  Statement row = database.query(
+      "SELECT kt, D_xy, theta, psi, volume, area FROM histories WHERE case_id = ? ORDER BY record", case_id);
+  while (row.step()) {
+    HistoryRecord& record = records.emplace_back();
+    for (std::size_t column = 0; column < record.size(); ++column)
+      record[column] = row.real(static_cast<int>(column));
+  }
+  return records;
 }
 
 }  // namespace capstan

@@ -33,11 +33,27 @@ class HistoryTail {
   std::size_t size_ = 0;
 };
 
+/// A history.jsonl whose run has ended.
+struct HistoryFile {
+  std::vector<HistoryRecord> records;  ///< up to the first line that is none
+  std::string fault = {};              ///< why that is not all; "" if it is
+};
+
+/// Throws std::filesystem::filesystem_error where the file can be read later (is_shortage).
+HistoryFile read_history(const std::filesystem::path& file);
+
+/// The lines of a history.jsonl with the columns that are kept.
+std::string history_lines(const std::vector<HistoryRecord>& records);
+
 /// Writes records as number `first` and on, over what stands there.
 void store_history(Database& database, const std::string& case_id, std::size_t first,
                    const std::vector<HistoryRecord>& records);
 
-/// Drops the records from number `first` on.
-void cut_history(Database& database, const std::string& case_id, std::size_t first);
+/// The case's records are those of the file from now on. Of a file that is not whole only its records are
+/// taken, and the others stay as they are.
+void store_history_file(Database& database, const std::string& case_id, const HistoryFile& file);
+
+/// The records of a case, in their order.
+std::vector<HistoryRecord> stored_history(Database& database, const std::string& case_id);
 
 }  // namespace capstan

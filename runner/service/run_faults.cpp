@@ -1,5 +1,6 @@
 #include "runner/service/run_faults.hpp"
 
+#include "runner/results/history.hpp"
 #include "runner/service/orphans.hpp"
 #include "solver/state/durable_file.hpp"
 
@@ -8,13 +9,20 @@ namespace {
 
 using nlohmann::ordered_json;
 
+std::optional<ordered_json> readable_result(const RunDirectory& directory) try {
+  return directory.result();
+} catch (const std::filesystem::filesystem_error& error) {
+  if (is_shortage(error)) throw;
+  return std::nullopt;
+}
+
 /// The database is what answers: a result file that is lost or damaged is written again.
 void compare_results(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
   Statement row = database.query("SELECT case_id, document FROM results");
   while (row.step()) {
     const RunDirectory directory(runs / row.text(0));
     const std::string document = row.text(1);
-    const auto there = directory.result();
+    const auto there = readable_result(directory);
     if (there && *there == ordered_json::parse(document)) continue;
     tell(directory.result_file().string() + (there ? " is not what was recorded" : " is missing or damaged"),
          [&] {
@@ -22,6 +30,42 @@ void compare_results(const std::filesystem::path& runs, Database& database, cons
            write_durably(directory.result_file(), ordered_json::parse(document).dump(2) + "\n");
          });
   }
+}
+
+/// Of one that has ended: what does not agree between its history.jsonl and its rows, and what would mend it.
+void compare_history(const RunDirectory& directory, const std::string& case_id, Database& database,
+                     const RunFault& tell) {
+  const HistoryFile file = read_history(directory.history_file());
+  const std::vector<HistoryRecord> stored = stored_history(database, case_id);
+  const auto store = [&, case_id, file] {
+    Transaction transaction(database);
+    store_history_file(database, case_id, file);
+    transaction.commit();
+  };
+  const std::string rows = std::to_string(stored.size());
+  if (file.fault.empty() && stored.size() != file.records.size())
+    tell("the database holds " + rows + " of the " + std::to_string(file.records.size()) + " records in " +
+             directory.history_file().string(),
+         store);
+  else if (!file.fault.empty() && (!stored.empty() || file.fault != "is missing"))
+    tell(directory.history_file().string() + " " + file.fault + "; the database holds " + rows + " records",
+         [&, store] {
+           store();
+           std::filesystem::create_directories(directory.path());
+           write_durably(directory.history_file(), history_lines(stored_history(database, case_id)));
+         });
+}
+
+void compare_histories(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
+  Statement row = database.query("SELECT id FROM cases WHERE state IN ('done', 'diverged')");
+  while (row.step()) compare_history(RunDirectory(runs / row.text(0)), row.text(0), database, tell);
+}
+
+void find_cases_without_history(Database& database, const RunFault& tell) {
+  Statement row = database.query(
+      "SELECT id FROM cases WHERE state = 'done' AND NOT EXISTS (SELECT 1 FROM histories WHERE case_id = "
+      "id)");
+  while (row.step()) tell("case " + row.text(0) + " is done, but has no history", {});
 }
 
 void find_missing_results(Database& database, const RunFault& tell) {
@@ -59,6 +103,8 @@ void find_partial_files(const std::filesystem::path& runs, Database& database, c
 
 void find_run_faults(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
   compare_results(runs, database, tell);
+  compare_histories(runs, database, tell);
+  find_cases_without_history(database, tell);
   find_missing_results(database, tell);
   find_orphans(runs, database, tell);
   find_partial_files(runs, database, tell);

@@ -35,6 +35,17 @@ class Descriptor {
     }
   }
 
+  std::string read() {
+    std::string bytes;
+    char part[1 << 16];
+    for (;;) {
+      const ssize_t count = ::read(fd_, part, sizeof part);
+      if (count == 0) return bytes;
+      if (count < 0 && errno != EINTR) fail("cannot read", path_);
+      if (count > 0) bytes.append(part, static_cast<size_t>(count));
+    }
+  }
+
   void sync() {
     while (::fsync(fd_) != 0)
       if (errno != EINTR) fail("cannot sync", path_);
@@ -70,6 +81,21 @@ void PendingFile::publish() {
   replace();
   const fs::path directory = directory_of(target_);
   Descriptor(directory, O_RDONLY | O_DIRECTORY).sync();
+}
+
+std::optional<std::string> read_file(const fs::path& path) try {
+  return Descriptor(path, O_RDONLY).read();
+} catch (const fs::filesystem_error& error) {
+  if (error.code() == std::errc::no_such_file_or_directory || error.code() == std::errc::not_a_directory)
+    return std::nullopt;
+  throw;
+}
+
+bool is_shortage(const fs::filesystem_error& error) {
+  for (const std::errc shortage : {std::errc::too_many_files_open, std::errc::too_many_files_open_in_system,
+                                   std::errc::not_enough_memory})
+    if (error.code() == shortage) return true;
+  return false;
 }
 
 void write_durably(const fs::path& path, std::string_view bytes) {

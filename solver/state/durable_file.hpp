@@ -5,6 +5,8 @@
 // It stands in solver/state, the bottom of the include order, because the worker's files (checkpoint, shapes,
 // result) and the daemon's (case) are published the same way.
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace capstan {
@@ -31,6 +33,13 @@ class PendingFile {
   std::filesystem::path target_;
   std::filesystem::path temporary_;
 };
+
+/// The bytes of the file; nothing if there is none. Throws std::filesystem::filesystem_error where it is
+/// there but cannot be read: that says nothing about what it holds.
+std::optional<std::string> read_file(const std::filesystem::path& path);
+
+/// The error is the reader's own lack of descriptors or memory: later the same may succeed.
+bool is_shortage(const std::filesystem::filesystem_error& error);
 
 /// Replaces `path` by a file holding `bytes`. Throws std::filesystem::filesystem_error; the old file then
 /// stands.

@@ -12,6 +12,12 @@ namespace {
 
 class HistoryTest : public testing::Test {
  protected:
+  /// Records at kt = 1, 2 ..
+  void store(int count) {
+    database_.execute("INSERT INTO cases (id, document) VALUES ('a', '{}')");
+    for (int kt = 1; kt <= count; ++kt)
+      store_history(database_, "a", static_cast<std::size_t>(kt - 1), {{static_cast<double>(kt)}});
+  }
   void append(const std::string& text) { std::ofstream(file_, std::ios::app) << text; }
 
   std::vector<double> stored_times() {
@@ -66,8 +72,40 @@ TEST_F(HistoryTest, StoredRecordsReplaceWhatStoodThere) {
   store_history(database_, "a", 0, {{1}, {2}, {3}});
   store_history(database_, "a", 1, {{20}});
   EXPECT_EQ(stored_times(), (std::vector<double>{1, 20, 3}));
-  cut_history(database_, "a", 2);
-  EXPECT_EQ(stored_times(), (std::vector<double>{1, 20}));
+}
+
+TEST_F(HistoryTest, FileReplacesWhatStoodThere) {
+  store(3);
+  append("{\"kt\":10}\n{\"kt\":20}\n{\"kt\":");
+  store_history_file(database_, "a", read_history(file_));
+  EXPECT_EQ(stored_times(), (std::vector<double>{10, 20}));
+}
+
+TEST_F(HistoryTest, FileThatIsMissingOrCannotBeReadLeavesWhatStoodThere) {
+  store(3);
+  EXPECT_EQ(read_history(file_).fault, "is missing");
+  store_history_file(database_, "a", read_history(file_));
+  std::filesystem::create_directory(file_);
+  EXPECT_EQ(read_history(file_).fault, "cannot be read: Is a directory");
+  store_history_file(database_, "a", read_history(file_));
+  EXPECT_EQ(stored_times(), (std::vector<double>{1, 2, 3}));
+}
+
+TEST_F(HistoryTest, DamagedFileReplacesWhatItCanAndLeavesTheRest) {
+  store(3);
+  append("{\"kt\":10}\nrubbish\n{\"kt\":30}\n");
+  EXPECT_EQ(read_history(file_).fault, "is damaged in line 2");
+  store_history_file(database_, "a", read_history(file_));
+  EXPECT_EQ(stored_times(), (std::vector<double>{10, 2, 3}));
+}
+
+TEST_F(HistoryTest, LinesOfStoredRecordsAreReadAsTheSame) {
+  store(2);
+  append(history_lines(stored_history(database_, "a")));
+  const HistoryFile again = read_history(file_);
+  EXPECT_EQ(again.fault, "");
+  ASSERT_EQ(again.records.size(), 2u);
+  EXPECT_EQ(again.records[1][0], 2);
 }
 
 }  // namespace
