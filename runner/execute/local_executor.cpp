@@ -12,11 +12,13 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 #include "runner/execute/exit_code.hpp"
+#include "runner/execute/stop_signals.hpp"
 
 namespace capstan {
 namespace {
@@ -70,7 +72,8 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// A process group of its own, so that Ctrl-C reaches the daemon alone; default signals, none blocked.
+/// A process group of its own, so that Ctrl-C reaches the daemon alone. All signals have their default
+/// action, and those that ask for a checkpoint are blocked until the process has its handlers.
 class Attributes {
  public:
   Attributes() {
@@ -78,11 +81,11 @@ class Attributes {
     posix_spawnattr_setflags(&attributes_,
                              POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
     posix_spawnattr_setpgroup(&attributes_, 0);
-    sigset_t signals;
-    sigemptyset(&signals);
-    posix_spawnattr_setsigmask(&attributes_, &signals);
-    sigfillset(&signals);
-    posix_spawnattr_setsigdefault(&attributes_, &signals);
+    const sigset_t blocked = stop_signals();
+    posix_spawnattr_setsigmask(&attributes_, &blocked);
+    sigset_t all;
+    sigfillset(&all);
+    posix_spawnattr_setsigdefault(&attributes_, &all);
   }
   ~Attributes() { posix_spawnattr_destroy(&attributes_); }
   Attributes(const Attributes&) = delete;
@@ -93,11 +96,15 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
-/// One thread a run: the cores are shared by running cases side by side.
+/// One thread a run: the cores are shared by running cases side by side. The token is the daemon's alone: the
+/// environment of a process can be read in /proc.
 std::vector<std::string> worker_environment() {
   std::vector<std::string> environment;
-  for (char** entry = environ; *entry; ++entry)
-    if (std::strncmp(*entry, "OMP_NUM_THREADS=", 16) != 0) environment.emplace_back(*entry);
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string_view variable(*entry);
+    if (!variable.starts_with("OMP_NUM_THREADS=") && !variable.starts_with("CAPSTAN_TOKEN"))
+      environment.emplace_back(variable);
+  }
   environment.emplace_back("OMP_NUM_THREADS=1");
   environment.push_back(std::string(kDaemonVariable) + "=" + std::to_string(getpid()));
   return environment;
@@ -178,9 +185,10 @@ bool LocalExecutor::wait_until_free(const RunDirectory& directory) {
   return false;
 }
 
+/// A child that has not been reaped keeps its process id, so it needs no look into /proc, which may fail.
 void LocalExecutor::cancel(const RunHandle& run, StopBy stop) {
   const auto process = process_from_text(run);
-  if (!process || !is_alive(*process)) return;
+  if (!process || (!children_.contains(run) && !is_alive(*process))) return;
   ::kill(-process->pid, stop == StopBy::kill ? SIGKILL : SIGTERM);
   constexpr int kLongest = 5000;  // ms; a killed process that waits for a disk
   if (stop == StopBy::kill) wait_for_end(*process, kLongest);

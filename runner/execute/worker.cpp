@@ -11,6 +11,7 @@
 
 #include "runner/execute/case_file.hpp"
 #include "runner/execute/exit_code.hpp"
+#include "runner/execute/stop_signals.hpp"
 #include "solver/case/case_warnings.hpp"
 #include "solver/case/content_id.hpp"
 #include "solver/simulation/run_recorder.hpp"
@@ -21,9 +22,9 @@ namespace {
 
 volatile std::sig_atomic_t interruption_wanted = 0;
 
-/// The daemon, a terminal and Slurm (--signal=USR1) ask for a checkpoint and an end with these.
 void checkpoint_on_signals() {
-  for (int signal : {SIGTERM, SIGINT, SIGUSR1}) std::signal(signal, [](int) { interruption_wanted = 1; });
+  for (const int signal : kStopSignals) std::signal(signal, [](int) { interruption_wanted = 1; });
+  unblock_stop_signals();
 }
 
 /// One core a case, unless OMP_NUM_THREADS says more: a study keeps all cores busy with its cases, and

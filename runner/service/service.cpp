@@ -10,11 +10,20 @@
 #include "runner/service/orphans.hpp"
 #include "solver/case/content_id.hpp"
 #include "solver/state/checkpoint_files.hpp"
+#include "solver/state/durable_file.hpp"
 
 namespace capstan {
 namespace {
 
 std::string whole(double number) { return std::to_string(static_cast<long long>(number)); }
+
+/// Where result.json cannot be read the case waits until it can be. A shortage of the daemon's own is thrown.
+RunOutcome readable_outcome_of(const RunEnd& end, const RunDirectory& directory) try {
+  return outcome_of(end, directory);
+} catch (const std::filesystem::filesystem_error& error) {
+  if (is_shortage(error)) throw;
+  return {RunOutcome::Kind::interrupted, error.what(), {}};
+}
 
 }  // namespace
 
@@ -26,7 +35,7 @@ Service::Service(const DataDirectory& data, Executor& executor, const Clock& clo
       cores_(static_cast<std::size_t>(cores)),
       limits_(limits),
       database_(data.database(), Database::Access::write),
-      readers_(data.database()),
+      readers_(data.database(), database_),
       queue_(database_, clock, lease) {
   take_over();
 }
@@ -37,7 +46,7 @@ void Service::take_over() {
     executor_.cancel(claim.handle, StopBy::kill);
     executor_.wait_until_free(directory);
     directory.remove_partial_files();
-    record(claim, outcome_of(RunEnd{}, directory));
+    record(claim, readable_outcome_of(RunEnd{}, directory));
   }
   derive_old_points(database_);
   price_cases(database_);
@@ -79,6 +88,7 @@ void Service::submit_waiting() {
   }
   std::exception_ptr error;
   try {
+    expect_sound_database();
     Transaction transaction(database_);
     for (Waiting* each : together) try {
         each->submission = queue_.submit(each->study, each->key);
@@ -98,6 +108,7 @@ void Service::submit_waiting() {
 
 std::optional<int> Service::write(const std::function<std::optional<int>()>& change) {
   const std::lock_guard lock(writing_);
+  expect_sound_database();
   const std::optional<int> cases = change();
   changed_();
   return cases;
@@ -131,6 +142,7 @@ std::optional<int> Service::retry(const std::string& study_id) {
 
 Issues Service::retry_at(const std::string& study_id, const nlohmann::json& fidelity) {
   const std::lock_guard lock(writing_);
+  expect_sound_database();
   Issues issues = replace_failed(database_, study_id, fidelity);
   changed_();
   return issues;
@@ -142,21 +154,58 @@ bool Service::has_ended() const {
   return std::all_of(runs_.begin(), runs_.end(), [](const Run& run) { return run.end.has_value(); });
 }
 
-/// First the processes, then the database: a full disk must not keep a run from being stopped.
+/// First the processes, then the database: a full disk must not keep a run from being stopped, nor what is
+/// wrong with one run the others from being recorded.
 void Service::tick() {
   const std::lock_guard lock(writing_);
-  for (Run& run : runs_) look_after(run);
-  for (Run& run : runs_) write_down(run);
+  std::exception_ptr error = for_each_run([this](Run& run) { look_after(run); });
+  expect_sound_database();
+  if (const auto later = for_each_run([this](Run& run) { write_down(run); })) error = later;
   std::erase_if(runs_, [](const Run& run) { return run.is_recorded; });
-  queue_.give_back_expired();
+  queue_.give_back_expired([this](const Claim& claim) { return has_run(claim); });
   delete_unwanted();
   while (!draining_ && runs_.size() < cores_ && start_next()) {
   }
+  if (error) std::rethrow_exception(error);
+}
+
+/// The last of the errors, if there were any.
+std::exception_ptr Service::for_each_run(const std::function<void(Run&)>& action) {
+  std::exception_ptr error;
+  for (Run& run : runs_) try {
+      action(run);
+    } catch (...) {
+      error = std::current_exception();
+    }
+  return error;
+}
+
+bool Service::has_run(const Claim& claim) const {
+  return std::any_of(runs_.begin(), runs_.end(),
+                     [&](const Run& run) { return run.claim.token == claim.token; });
+}
+
+void Service::report_damage(const std::string& what) {
+  const std::lock_guard lock(damage_mutex_);
+  damage_ = what;
+}
+
+void Service::expect_sound_database() const {
+  {
+    const std::lock_guard lock(damage_mutex_);
+    if (!damage_.empty()) throw DatabaseDamaged(damage_);
+  }
+  database_.expect_in_place();
 }
 
 std::string Service::why_nothing_starts() const {
   const std::filesystem::path runs = data_.runs();
-  if (std::filesystem::space(runs).available >= kept_free_) return "";
+  std::error_code error;
+  const std::filesystem::space_info space = std::filesystem::space(runs, error);
+  if (error)
+    return runs.string() + ", where the runs write, cannot be used (" + error.message() +
+           "): nothing is started until it is there again";
+  if (space.available >= kept_free_) return "";
   return "less than " + std::to_string(kept_free_ / 1'000'000) + " MB are free in " + runs.string() +
          ": nothing is started";
 }
@@ -180,28 +229,39 @@ bool Service::start_next() {
   std::optional<Claim> claim = queue_.claim();
   if (!claim) return false;
   const RunDirectory directory = data_.run(claim->case_id);
-  if (directory.result())
-    record(*claim, outcome_of(RunEnd{}, directory));
-  else
-    start(*claim);
+  bool is_complete = false;
+  or_put_back(*claim, [&] {
+    is_complete = directory.result().has_value();
+    if (is_complete)
+      record(*claim, outcome_of(RunEnd{}, directory));
+    else
+      spawn(*claim);
+  });
+  if (!is_complete) follow(*claim);
   return true;
 }
 
 /// The environment's faults (a full disk, no process to be had) are not the case's: it goes back to the
 /// queue.
-void Service::start(Claim& claim) {
+void Service::or_put_back(const Claim& claim, const std::function<void()>& action) try {
+  action();
+} catch (const std::exception& error) {
+  queue_.put_back(claim, std::string("could not be started: ") + error.what());
+  throw;
+}
+
+void Service::spawn(Claim& claim) {
   const RunDirectory directory = data_.run(claim.case_id);
-  try {
-    directory.prepare(claim.document);
-    fail_point("prepared");
-    claim.handle = executor_.start(directory);
-    fail_point("spawned");
-  } catch (const std::exception& error) {
-    queue_.put_back(claim, std::string("could not be started: ") + error.what());
-    throw;
-  }
+  directory.prepare(claim.document);
+  fail_point("prepared");
+  claim.handle = executor_.start(directory);
+  fail_point("spawned");
+}
+
+void Service::follow(const Claim& claim) {
   const auto elapsed = clock_.elapsed();
-  runs_.push_back({claim, HistoryTail(directory.history_file()), clock_.now(), elapsed, elapsed});
+  runs_.push_back(
+      {claim, HistoryTail(data_.run(claim.case_id).history_file()), clock_.now(), elapsed, elapsed});
   queue_.started(claim, claim.handle);
   fail_point("started");
 }
@@ -257,16 +317,23 @@ void Service::hold_to_limits(Run& run) {
 /// A result stands, however its run ended. Else the daemon's own reasons to end a run go before what the
 /// process's end looks like.
 RunOutcome Service::outcome_of_run(const Run& run) const {
-  RunOutcome outcome = outcome_of(*run.end, data_.run(run.claim.case_id));
+  RunOutcome outcome = readable_outcome_of(*run.end, data_.run(run.claim.case_id));
   using Kind = RunOutcome::Kind;
   const bool has_error = run.end->how == RunEnd::How::exited && run.end->number == kExitError;
+  const bool has_directory = std::filesystem::exists(data_.run(run.claim.case_id).path());
+  if (!outcome.result && has_error && !has_directory)
+    return {Kind::interrupted, "its directory was removed", {}};
   if (!outcome.result && has_error && !why_nothing_starts().empty())
     return {Kind::interrupted, "the disk was full", {}};
-  if (outcome.result || !run.is_killed) return outcome;
+  if (outcome.result) return outcome;
   if (!run.beyond.empty()) return {Kind::failed, run.beyond, {}};
-  if (run.still_beats >= JobQueue::kHeartbeats)
+  if (run.is_killed && run.still_beats >= JobQueue::kHeartbeats)
     return {Kind::crashed, "it stood still until its lease ran out, and was killed", {}};
-  return {Kind::interrupted, "it did not stop when it was asked to, and was killed", {}};
+  if (run.is_killed) return {Kind::interrupted, "it did not stop when it was asked to, and was killed", {}};
+  if (run.stop_asked && outcome.kind == Kind::crashed)
+    return {
+        Kind::interrupted, "it was asked to stop, and ended without a checkpoint: " + describe(*run.end), {}};
+  return outcome;
 }
 
 void Service::ask_to_stop(Run& run) {
@@ -287,9 +354,7 @@ void Service::kill(Run& run) {
 void Service::record(const Claim& claim, const RunOutcome& outcome) {
   Transaction transaction(database_);
   if (!record_ending(claim, outcome)) return;
-  HistoryTail whole(data_.run(claim.case_id).history_file());
-  store_history(database_, claim.case_id, 0, whole.read_new());
-  cut_history(database_, claim.case_id, whole.size());
+  store_history_file(database_, claim.case_id, read_history(data_.run(claim.case_id).history_file()));
   if (outcome.result) store_result(database_, claim.case_id, *outcome.result);
   fail_point("recording");
   transaction.commit();

@@ -59,6 +59,10 @@ class Service {
   void keep_free(std::uintmax_t bytes) { kept_free_ = bytes; }
   /// For people; "" if nothing stands in the way of all cases.
   std::string why_nothing_starts() const;
+  /// Remembers that the database has turned out to be damaged: from now on nothing is written to it.
+  void report_damage(const std::string& what);
+  /// Throws DatabaseError if the database is damaged, or its files were removed or replaced.
+  void expect_sound_database() const;
 
   const DataDirectory& data() const { return data_; }
   std::size_t cores() const { return cores_; }
@@ -102,9 +106,13 @@ class Service {
   void submit_waiting();
   void delete_unwanted();
   std::optional<int> write(const std::function<std::optional<int>()>& change);
+  std::exception_ptr for_each_run(const std::function<void(Run&)>& action);
+  bool has_run(const Claim& claim) const;
   void take_over();
   bool start_next();
-  void start(Claim& claim);
+  void or_put_back(const Claim& claim, const std::function<void()>& action);
+  void spawn(Claim& claim);
+  void follow(const Claim& claim);
   void look_after(Run& run);
   void write_down(Run& run);
   void keep_lease(Run& run);
@@ -125,6 +133,8 @@ class Service {
   std::uintmax_t kept_free_ = kLeastFree;
   std::function<void()> changed_ = [] {};
 
+  mutable std::mutex damage_mutex_;
+  std::string damage_;  ///< of the database, "" while none is known
   std::mutex joining_;  ///< guards waiting_; never held while waiting for the other one
   std::deque<Waiting*> waiting_;
   std::mutex submitting_;  ///< held by the one client that waits for writing_ in order to submit

@@ -24,6 +24,7 @@
 
 #include "runner/cli/program.hpp"
 #include "runner/execute/exit_code.hpp"
+#include "runner/execute/stop_signals.hpp"
 
 namespace capstan {
 namespace {
@@ -53,9 +54,7 @@ void write_result(const std::filesystem::path& out, const ordered_json& result) 
 }
 
 int wait_for_interruption(const std::filesystem::path& out, double until) {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
+  const sigset_t signals = stop_signals();
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   write_history(out, until, kRecords / 2);
   std::ofstream(out / "checkpoint-a.h5") << "half of it";
@@ -95,6 +94,9 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
   const ordered_json input = ordered_json::parse(std::ifstream(case_file));
   const double V = input["V"];
   const double until = input["until"]["kt"];
+  if (V == 70 || (V == 80 && !std::filesystem::exists(out / "checkpoint-a.h5")))
+    return wait_for_interruption(out, until);
+  unblock_stop_signals();
   if (V == 40) compute_until(out / "go");
   if (V == 46) write_without_end(out);
   if (V == 45) take_memory_without_end();
@@ -107,8 +109,6 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
     std::cerr << "something is very wrong" << std::endl;
     std::abort();
   }
-  if (V == 70 || (V == 80 && !std::filesystem::exists(out / "checkpoint-a.h5")))
-    return wait_for_interruption(out, until);
   if (V == 90 || (V == 95 && is_coarse(input))) {
     std::cerr << "/V  cannot be " << V << std::endl;
     return kExitInvalidInput;

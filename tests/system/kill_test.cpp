@@ -1,6 +1,6 @@
 // The real daemon with the real solver, killed again and again during one study: by SIGKILL at fail points
-// and at any moment, alone and together with its workers, and workers alone. The long form, some thousand
-// lives:
+// and at any moment, alone and together with its workers, and workers alone; and stopped in order (SIGTERM),
+// also just after its start and just after its study was cancelled. The long form, some thousand lives:
 //
 //   CAPSTAN_KILLS=1000 build/test/tests/kill_test        (ctest --preset test -R Kill.Long)
 #include <gmock/gmock.h>
@@ -11,6 +11,7 @@
 #include <iostream>
 #include <random>
 
+#include "runner/queue/database.hpp"
 #include "tests/support/campaign.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/served_study.hpp"
@@ -71,13 +72,21 @@ class Campaign {
   void print(int lost, int doubled, int different) const {
     std::cout << "kills: " << at_points_ << " daemons at fail points, " << at_any_moment_
               << " daemons at any moment, " << workers_ << " workers (" << together_
-              << " together with the daemon)\n"
+              << " together with the daemon); " << orderly_ << " orderly stops\n"
               << cases_ << " cases: " << lost << " lost, " << doubled << " doubled, " << different
               << " other than undisturbed\n";
   }
 
-  /// Of the daemon; the workers come on top.
-  int kills() const { return at_points_ + at_any_moment_; }
+  /// Of the daemon, orderly ones among them; the workers come on top.
+  int kills() const { return at_points_ + at_any_moment_ + orderly_; }
+  int workers_killed() const { return workers_; }
+
+  std::int64_t crashes() const {
+    Database database(data_.path() / "capstan.sqlite", Database::Access::read);
+    Statement row = database.query("SELECT count(*) FROM attempts WHERE ending = 'crashed'");
+    row.step();
+    return row.integer(0);
+  }
 
  private:
   /// Any case may take a minute, all of them as long as they want. A worker that was killed twice has had its
@@ -110,7 +119,9 @@ class Campaign {
   }
 
   void live_and_die() {
-    if (random_() % 2 == 0 || !may_finish_cases())
+    if (random_() % 4 == 0)
+      stop_in_order();
+    else if (random_() % 2 == 0 || !may_finish_cases())
       die_at(any_fail_point());
     else
       die_at_any_moment();
@@ -148,6 +159,17 @@ class Campaign {
     ++at_any_moment_;
   }
 
+  /// The sooner, the more processes have no handlers yet.
+  void stop_in_order() {
+    Daemon daemon(data_.path());
+    Client client(daemon.url());
+    const std::string id = submit(client);
+    daemon.ends_within(std::chrono::milliseconds(may_finish_cases() ? random_() % 60 : random_() % 5));
+    if (random_() % 4 == 0) client.post("/v1/studies/" + id + "/cancel", "");
+    EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+    ++orderly_;
+  }
+
   void kill_workers() {
     for (pid_t worker : workers_of(data_.path())) {
       if (kill(worker, SIGKILL) == 0) ++workers_, ++together_;
@@ -159,7 +181,7 @@ class Campaign {
   const int cases_;
   TemporaryDirectory data_;
   std::mt19937 random_{20240613};
-  int at_points_ = 0, at_any_moment_ = 0, workers_ = 0, together_ = 0;
+  int at_points_ = 0, at_any_moment_ = 0, workers_ = 0, together_ = 0, orderly_ = 0;
 };
 
 TEST(Kill, LeavesEachResultOnceAndAsUndisturbed) {
@@ -175,6 +197,7 @@ TEST(Kill, LeavesEachResultOnceAndAsUndisturbed) {
     different += there == found.end() || there->second != answer;
   }
   campaign.print(lost, doubled, different);
+  EXPECT_LE(campaign.crashes(), campaign.workers_killed());
   EXPECT_EQ(found.size(), expected.size());
   EXPECT_EQ(lost, 0);
   EXPECT_EQ(doubled, 0);

@@ -1,9 +1,11 @@
 #include "runner/service/service.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
 #include <atomic>
 #include <fstream>
+#include <random>
 #include <thread>
 
 #include "runner/queue/schema.hpp"
@@ -158,6 +160,32 @@ TEST_F(ServiceTest, RunKilledForNotStoppingIsNoCrash) {
   clock_.advance(Service::kGrace + 1ms);
   service_->tick();
   EXPECT_EQ(cases(id)[0]["state"], "queued");
+  EXPECT_EQ(cases(id)[0]["crashes"], 0);
+}
+
+/// Before it has its handlers a process may end by the signal, or in whatever other way.
+TEST_F(ServiceTest, RunThatWasAskedToStopIsInterruptedHoweverItEnds) {
+  for (const RunEnd end : {RunEnd{RunEnd::How::signalled, 15}, RunEnd{RunEnd::How::exited, 143},
+                           RunEnd{RunEnd::How::exited, 1}, RunEnd{RunEnd::How::exited, 0}}) {
+    const std::string id = submit({{"Ca", {0.25}}});
+    ASSERT_THAT(executor_.running, SizeIs(1));
+    service_->drain();
+    service_->tick();
+    executor_.end(executor_.running[0], end);
+    service_->tick();
+    EXPECT_EQ(cases(id)[0]["state"], "queued");
+    EXPECT_EQ(cases(id)[0]["crashes"], 0);
+    restart();
+  }
+}
+
+TEST_F(ServiceTest, CancelledRunThatEndsByTheSignalIsNoCrash) {
+  const std::string id = submit({{"Ca", {0.25}}});
+  service_->cancel(id);
+  service_->tick();
+  executor_.end("run 1", {RunEnd::How::signalled, 15});
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "cancelled");
   EXPECT_EQ(cases(id)[0]["crashes"], 0);
 }
 
@@ -506,6 +534,119 @@ TEST_F(ServiceTest, ErrorOnAFullDiskIsNoCrash) {
   EXPECT_EQ(cases(id)[0]["state"], "queued");
   EXPECT_EQ(cases(id)[0]["crashes"], 0);
   EXPECT_EQ(cases(id)[0]["message"], "the disk was full");
+}
+
+TEST_F(ServiceTest, ErrorWithoutTheDirectoryOfTheRunIsNoCrash) {
+  const std::string id = submit({{"Ca", {0.25}}});
+  std::filesystem::remove_all(data_.runs());
+  executor_.exit("run 1", 1);
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "queued");
+  EXPECT_EQ(cases(id)[0]["crashes"], 0);
+  EXPECT_THAT(service_->why_nothing_starts(), testing::HasSubstr("cannot be used"));
+  std::filesystem::create_directory(data_.runs());
+  EXPECT_EQ(service_->why_nothing_starts(), "");
+}
+
+/// No file can be opened while it lasts.
+class NoDescriptors {
+ public:
+  NoDescriptors() {
+    getrlimit(RLIMIT_NOFILE, &before_);
+    const rlimit none{0, before_.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &none);
+  }
+  ~NoDescriptors() { setrlimit(RLIMIT_NOFILE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(ServiceTest, ShortageOfDescriptorsAtTheEndOfARunIsNoCrash) {
+  const std::string id = submit({{"Ca", {0.25}}});
+  write_history("run 1", "{\"kt\":30}\n");
+  complete("run 1", "tumbling");
+  {
+    const NoDescriptors shortage;
+    EXPECT_THROW(service_->tick(), std::filesystem::filesystem_error);
+  }
+  EXPECT_EQ(cases(id)[0]["state"], "running");
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "done");
+  EXPECT_EQ(cases(id)[0]["crashes"], 0);
+}
+
+TEST_F(ServiceTest, ResultThatCannotBeReadIsReadLater) {
+  const std::string id = submit({{"Ca", {0.25}}});
+  const std::filesystem::path result = directory_of("run 1").result_file();
+  std::filesystem::create_directory(result);  // cannot be read
+  executor_.exit("run 1", 0);
+  EXPECT_THROW(service_->tick(), std::filesystem::filesystem_error);  // at once the next start is tried
+  EXPECT_EQ(cases(id)[0]["state"], "queued");
+  EXPECT_EQ(cases(id)[0]["crashes"], 0);
+  EXPECT_THAT(cases(id)[0]["message"].get<std::string>(), testing::HasSubstr("result.json"));
+  std::filesystem::remove(result);
+  clock_.advance(JobQueue::kBackOff);
+  complete("run 1", "tumbling");
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "done");
+}
+
+TEST_F(ServiceTest, RunThatCannotBeRecordedHoldsNobodyUp) {
+  const std::string id = submit({{"Ca", {0.25, 0.5}}});
+  std::filesystem::create_directory(directory_of("run 1").result_file());
+  executor_.exit("run 1", 0);
+  complete("run 2", "tumbling");
+  EXPECT_THROW(service_->tick(), std::filesystem::filesystem_error);
+  EXPECT_EQ(cases(id)[1]["state"], "done");
+}
+
+TEST_F(ServiceTest, UnreadableHistoryLeavesTheRowsThatAreThere) {
+  const std::string id = submit({{"Ca", {0.25}}});
+  write_history("run 1", "{\"kt\":1}\n{\"kt\":2}\n{\"kt\":3}\n");
+  service_->tick();
+  write_history("run 1", std::string(40, '\0') + "\n");
+  complete("run 1", "tumbling");
+  service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "done");
+  const Readers::Reader reader = service_->reader();
+  EXPECT_EQ(find_history(*reader, cases(id)[0]["id"]).value()["kt"], nlohmann::ordered_json({1.0, 2.0, 3.0}));
+}
+
+/// Jumps by a day between any two looks at it.
+class RestlessClock : public Clock {
+ public:
+  Time now() const override { return time_ + std::chrono::hours(24) * (random_() % 3); }
+  std::chrono::milliseconds elapsed() const override { return 0ms; }
+
+ private:
+  const Time time_{std::chrono::hours(24 * 365 * 50)};
+  mutable std::mt19937 random_;
+};
+
+TEST(RestlessClock, CostsNoRun) {
+  const TemporaryDirectory directory;
+  const DataDirectory data(directory.path());
+  const RestlessClock clock;
+  FakeExecutor executor;
+  Service service(data, executor, clock, 4);
+  service.submit(sample_study("study", {{"Ca", {0.1, 0.2, 0.3, 0.4}}}));
+  for (int i = 0; i < 200; ++i) service.tick();
+  EXPECT_THAT(executor.running, SizeIs(4));
+  EXPECT_THAT(executor.directories, SizeIs(4));
+}
+
+TEST_F(ServiceTest, DamagedDatabaseTakesNoStudyAndRecordsNothing) {
+  const std::string id = submit({{"Ca", {0.25}}});
+  complete("run 1", "tumbling");
+  service_->report_damage("page 7 is damaged");
+  EXPECT_THROW(submit({{"Ca", {0.5}}}), DatabaseDamaged);
+  EXPECT_THROW(service_->pause(id, true), DatabaseDamaged);
+  EXPECT_THROW(service_->tick(), DatabaseDamaged);
+  EXPECT_EQ(cases(id)[0]["state"], "running");
+  service_->drain();
+  EXPECT_THROW(service_->tick(), DatabaseDamaged);
+  EXPECT_TRUE(service_->has_ended());
 }
 
 TEST(NetworkFileSystem, IsKnownByItsNumber) {
