@@ -19,12 +19,14 @@ build() {
   exit 1
 }
 
-# What answers at the port: "ours", a server of the data directory; "other"; or "nothing".
+# What answers at the port: "ours", a server of the data directory; "starting", the same, not ready yet; "other"; or
+# "nothing".
 listener_at() {
   code=0
   answer=$(curl -s --max-time 3 "http://127.0.0.1:$1/healthz") || code=$?
   case "$code,$answer" in
     7,*) echo nothing ;; # connection refused
+    *'"status": "starting"'*"\"data\": \"$data\""*) echo starting ;;
     *'"program": "capstan"'*"\"data\": \"$data\""*) echo ours ;;
     *) echo other ;;
   esac
@@ -48,6 +50,7 @@ find_or_start_server() {
   port=8017
   while :; do
     case "$(listener_at "$port")" in
+      starting) sleep 0.1 && continue ;;
       ours) echo "Using the server that runs at port $port" && return ;;
       nothing) start_server && return ;;
     esac

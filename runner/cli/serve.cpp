@@ -1,11 +1,14 @@
 #include <malloc.h>
+#include <sys/stat.h>
 
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 #include "runner/cli/commands.hpp"
 #include "runner/execute/exit_code.hpp"
 #include "runner/execute/local_executor.hpp"
+#include "runner/service/database_faults.hpp"
 #include "runner/service/loop.hpp"
 #include "runner/web/server.hpp"
 
@@ -21,6 +24,15 @@ void keep_freed_memory() {
   mallopt(M_ARENA_MAX, 4);  // of sixteen threads each would keep as much
 }
 
+void warn_of_too_many_cores(int cores) {
+  if (const int usable = usable_cores(); cores > usable)
+    std::clog << "capstan: --cores " << cores << " is more than the " << usable
+              << " that this process may use: cases will wait for each other" << std::endl;
+}
+
+/// What the daemon and its runs write is for its user alone, whatever the user's mask would let others do.
+void keep_files_private() { umask(077); }
+
 }  // namespace
 
 int serve(const ServeArguments& arguments) {
@@ -31,19 +43,27 @@ int serve(const ServeArguments& arguments) {
                                 ", where other machines can reach it, without a token: set CAPSTAN_TOKEN or "
                                 "CAPSTAN_TOKEN_FILE");
   hold_signals();
+  keep_files_private();
+  warn_of_too_many_cores(arguments.cores);
   keep_freed_memory();
   const SystemClock clock;
   const DataDirectory data(arguments.data);
   LocalExecutor executor;
-  Service service(data, executor, clock, arguments.cores,
-                  {arguments.memory_mb, std::chrono::seconds(arguments.wall_seconds)},
-                  std::chrono::seconds(arguments.lease_seconds));
-  service.on_change(wake_loop);
-  const Server server(service, address, access);
+  std::optional<Service> service;
+  Server server(data.path(), address, access);
+  {
+    const EndAtOnce ends_at_once;
+    refuse_damaged_database(data.database());
+    service.emplace(data, executor, clock, arguments.cores,
+                    Limits{arguments.memory_mb, std::chrono::seconds(arguments.wall_seconds)},
+                    std::chrono::seconds(arguments.lease_seconds));
+  }
+  service->on_change(wake_loop);
+  server.serve(*service);
   std::cout << "Capstan serves " << url_of(server.address()) << " with " << arguments.cores
             << (arguments.cores == 1 ? " core" : " cores") << ", data in " << data.path().string()
             << std::endl;
-  return work_until_terminated(service) ? kExitDone : kExitError;
+  return work_until_terminated(*service) ? kExitDone : kExitError;
 }
 
 }  // namespace capstan

@@ -17,6 +17,7 @@ int submit_study(const SubmitArguments& arguments) {
   const nlohmann::ordered_json submitted = client.post("/v1/studies", study->document.dump());
   const std::string id = submitted["id"];
   if (!arguments.json) std::cout << id << std::endl;
+  if (submitted.value("resumed", false)) std::cerr << "the study was paused, and is resumed\n";
   const int code =
       arguments.watch ? watch_study(client, id, std::cerr, isatty(STDERR_FILENO) == 1) : kExitDone;
   if (arguments.json)

@@ -16,14 +16,39 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr std::chrono::milliseconds kInterval{500};
+
 int exit_code_of(const ordered_json& cases) {
   return cases["done"] == cases["total"] ? kExitDone : kExitNoAnswer;
+}
+
+bool is_not_available(const Refused& refusal) { return refusal.status == 503; }
+
+/// What `ask` gives, once the server answers again: it may be restarting. What it could not be asked for is
+/// thrown.
+template <class Ask>
+ordered_json ask_patiently(const Ask& ask, std::ostream& out) {
+  constexpr std::chrono::seconds kPatience{120};
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  for (bool has_said = false;; std::this_thread::sleep_for(kInterval)) {
+    const bool is_late = std::chrono::steady_clock::now() >= deadline;
+    try {
+      return ask();
+    } catch (const Unreachable&) {
+      if (is_late) throw;
+    } catch (const Refused& refusal) {
+      if (is_late || !is_not_available(refusal)) throw;
+    }
+    if (!has_said)
+      out << "\nthe server does not answer; trying again for " << kPatience.count() << " s" << std::endl;
+    has_said = true;
+  }
 }
 
 void report_failures(Client& client, const std::string& study_id, std::ostream& out) {
   for (const char* state : {"failed", "diverged"}) {
     const std::string path = "/v1/studies/" + study_id + "/cases?state=" + state;
-    for (const ordered_json& shown : client.get_all(path, "cases"))
+    for (const ordered_json& shown : ask_patiently([&] { return client.get_all(path, "cases"); }, out))
       out << "case " << shown["id"].get<std::string>() << ' ' << state << ": "
           << shown["message"].get<std::string>() << '\n';
   }
@@ -32,11 +57,15 @@ void report_failures(Client& client, const std::string& study_id, std::ostream& 
 }  // namespace
 
 int watch_study(Client& client, const std::string& study_id, std::ostream& out, bool is_terminal) {
-  constexpr std::chrono::milliseconds kInterval{500};
   ProgressLine line(out, is_terminal);
-  for (;; std::this_thread::sleep_for(kInterval)) {
-    const ordered_json study = client.get("/v1/studies/" + study_id);
+  for (bool was_paused = false;; std::this_thread::sleep_for(kInterval)) {
+    const ordered_json study = ask_patiently([&] { return client.get("/v1/studies/" + study_id); }, out);
     line.show(study);
+    const bool is_paused = study["paused"];
+    if (is_paused && !was_paused)
+      out << "\nthe study is paused, no case is started; go on with:  capstan resume " << study_id
+          << std::endl;
+    was_paused = is_paused;
     const ordered_json& cases = study["cases"];
     if (cases["queued"] > 0 || cases["running"] > 0) continue;
     line.finish();

@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <ctime>
 #include <iostream>
+#include <span>
 
 namespace capstan {
 namespace {
@@ -12,17 +14,21 @@ namespace {
 constexpr long kTick = 250;    // ms: how often histories are read
 constexpr long kPause = 5000;  // ms: after an error of the environment
 
+constexpr std::array kEndingSignals = {SIGTERM, SIGINT};
+
 /// SIGCHLD: a run has ended. SIGUSR1: someone has changed the queue.
-sigset_t daemon_signals() {
+constexpr std::array kDaemonSignals = {SIGTERM, SIGINT, SIGCHLD, SIGUSR1};
+
+sigset_t set_of(std::span<const int> list) {
   sigset_t signals;
   sigemptyset(&signals);
-  for (int signal : {SIGTERM, SIGINT, SIGCHLD, SIGUSR1}) sigaddset(&signals, signal);
+  for (const int signal : list) sigaddset(&signals, signal);
   return signals;
 }
 
 /// The signal that came within that time, or -1.
 int wait_for_signal(long milliseconds) {
-  const sigset_t signals = daemon_signals();
+  const sigset_t signals = set_of(kDaemonSignals);
   const timespec longest{milliseconds / 1000, milliseconds % 1000 * 1000000};
   return sigtimedwait(&signals, nullptr, &longest);
 }
@@ -31,6 +37,10 @@ int wait_for_signal(long milliseconds) {
 bool tick(Service& service) try {
   service.tick();
   return true;
+} catch (const DatabaseDamaged& error) {
+  service.report_damage(error.what());
+  std::clog << "capstan: " << error.what() << std::endl;
+  return false;
 } catch (const std::exception& error) {
   std::clog << "capstan: " << error.what() << std::endl;
   return false;
@@ -39,9 +49,21 @@ bool tick(Service& service) try {
 }  // namespace
 
 void hold_signals() {
-  const sigset_t signals = daemon_signals();
+  const sigset_t signals = set_of(kDaemonSignals);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   signal(SIGPIPE, SIG_IGN);  // a client that goes away is no reason to end
+}
+
+EndAtOnce::EndAtOnce() {
+  for (const int signal : kEndingSignals) std::signal(signal, [](int) { _exit(0); });
+  const sigset_t signals = set_of(kEndingSignals);
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+}
+
+EndAtOnce::~EndAtOnce() {
+  const sigset_t signals = set_of(kEndingSignals);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  for (const int signal : kEndingSignals) std::signal(signal, SIG_DFL);
 }
 
 void wake_loop() { kill(getpid(), SIGUSR1); }

@@ -8,6 +8,16 @@ namespace capstan {
 /// loop.
 void hold_signals();
 
+/// While it stands SIGTERM and SIGINT end the process at once, with exit code 0. That is for the start:
+/// nothing runs yet, and the next start undoes what was half written to the database.
+class EndAtOnce {
+ public:
+  EndAtOnce();
+  ~EndAtOnce();
+  EndAtOnce(const EndAtOnce&) = delete;
+  EndAtOnce& operator=(const EndAtOnce&) = delete;
+};
+
 /// Ends the sleep of the loop, from any thread.
 void wake_loop();
 

@@ -5,36 +5,36 @@
 #include "runner/results/metrics.hpp"
 #include "runner/web/api.hpp"
 #include "runner/web/openapi.hpp"
+#include "runner/web/starting.hpp"
 #include "runner/web/traffic.hpp"
-#include "solver/case/content_id.hpp"
 
 namespace capstan {
 
-/// Says that this is Capstan, so that scripts can tell who holds the port, whose data it serves, and how to
-/// end it.
 Response get_health(Service& service, const Request&, const std::string&) {
-  return json_response(200, {{"status", "ok"},
-                             {"program", "capstan"},
-                             {"version", CAPSTAN_VERSION},
-                             {"numerics_version", kNumericsVersion},
-                             {"data", service.data().path().string()},
-                             {"pid", getpid()}});
+  return health("ok", service.data().path());
 }
 
-/// 503 when a submission could not be kept: the database cannot be read or written, or its disk is almost
-/// full.
+/// 503 when a submission could not be kept or computed: the database is damaged, gone, or cannot be read or
+/// written; the directory of the runs is gone; one of their disks is almost full.
 Response get_readiness(Service& service, const Request&, const std::string&) try {
   constexpr std::uintmax_t kLeast = 100'000'000;  // bytes
+  service.expect_sound_database();
   Database database(service.data().database(), Database::Access::read);  // opened anew: is it still there?
   database.query("SELECT 1 FROM schedule").step();
   for (const auto& path : {service.data().path(), service.data().database()})
     if (access(path.c_str(), W_OK) != 0)
       return problem(503, "Not ready", path.string() + " cannot be written");
-  if (const std::string fault = WriteProbe(service.data().path()).fault(); !fault.empty())
-    return problem(503, "Not ready", "nothing can be written to the data directory: " + fault);
+  if (const std::string reason = service.why_nothing_starts(); !reason.empty())
+    return problem(503, "Not ready", reason);
+  for (const auto& path : {service.data().path(), service.data().runs()})
+    if (const std::string fault = WriteProbe(path).fault(); !fault.empty())
+      return problem(503, "Not ready", "nothing can be written in " + path.string() + ": " + fault);
   const std::uintmax_t free = std::filesystem::space(service.data().path()).available;
   if (free < kLeast) return problem(503, "Not ready", "less than 100 MB are free in the data directory");
   return json_response(200, {{"status", "ready"}, {"free_bytes", free}});
+} catch (const DatabaseDamaged& error) {
+  service.report_damage(error.what());
+  return problem(503, "Not ready", error.what());
 } catch (const std::exception& error) {
   return problem(503, "Not ready", error.what());
 }

@@ -11,6 +11,7 @@
 
 #include "runner/results/timestamp.hpp"
 #include "runner/web/routes.hpp"
+#include "runner/web/starting.hpp"
 #include "runner/web/target.hpp"
 #include "runner/web/traffic.hpp"
 
@@ -72,10 +73,10 @@ void give_back_memory(std::size_t answer_bytes) {
 
 }  // namespace
 
-HttpServer::HttpServer(Service& service, Access access)
-    : service_(service),
+HttpServer::HttpServer(const std::filesystem::path& data, Access access)
+    : data_(data),
       access_(std::move(access)),
-      log_(service.data().path() / "requests.log"),
+      log_(data / "requests.log"),
       loop_(complete_, [this](const Head& head) { return refusal_of(head); }) {
   configure();
   for (int i = 0; i < kThreads; ++i) threads_.emplace_back([this] { serve_all(); });
@@ -91,7 +92,8 @@ HttpServer::~HttpServer() {
 
 void HttpServer::configure() {
   const auto answer = [this](const httplib::Request& in, httplib::Response& out) {
-    send(out, respond(service_, received_by(in)));
+    Service* const service = service_;
+    send(out, service ? respond(*service, received_by(in)) : respond_while_starting(data_, received_by(in)));
   };
   const std::string any_path = "/.*";
   Get(any_path, answer).Post(any_path, answer).Put(any_path, answer);

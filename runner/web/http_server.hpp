@@ -3,6 +3,8 @@
 // itself, and gives the library only what it reads safely.
 #include <httplib.h>
 
+#include <atomic>
+#include <filesystem>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -22,11 +24,15 @@ class HttpServer : private httplib::Server {
   static constexpr int kThreads = 16;
   static constexpr int kMostStreams = kThreads / 2;  ///< the others stay free for short answers
 
-  HttpServer(Service& service, Access access);
+  /// \param data  the data directory
+  HttpServer(const std::filesystem::path& data, Access access);
   ~HttpServer() override;
 
   /// Listens from now on; the port. Throws std::runtime_error when the address is taken.
   int listen_at(const Address& address);
+
+  /// Until then all requests are told that the server is starting.
+  void set_service(Service& service) { service_ = &service; }
 
   /// Answers the request of a connection that somebody else has accepted.
   void adopt(int socket) { loop_.adopt(socket); }
@@ -40,7 +46,8 @@ class HttpServer : private httplib::Server {
   void send_stream(httplib::Response& out, const Response& response);
   void report(const Connection& connection);
 
-  Service& service_;
+  const std::filesystem::path data_;
+  std::atomic<Service*> service_ = nullptr;
   const Access access_;
   RequestLog log_;
   ConnectionQueue complete_;

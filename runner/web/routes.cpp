@@ -81,6 +81,13 @@ Response tagged(Response response, const Request& request) {
   return response;
 }
 
+/// SQLite has no checksums: damage may be seen only when a page is read.
+Response damaged(Service& service, const Request& request, const std::string& what) {
+  std::clog << "capstan: " << request.method << ' ' << request.path << ": " << what << std::endl;
+  service.report_damage(what);
+  return problem(503, "Not available", what);
+}
+
 }  // namespace
 
 std::span<const Route> routes() { return kRoutes; }
@@ -101,6 +108,13 @@ Response respond(Service& service, const Request& request) try {
                          : not_allowed(allowed);
 } catch (const KeyReused& reuse) {
   return problem(422, "Idempotency key reused", reuse.what());
+} catch (const DatabaseDamaged& error) {
+  return damaged(service, request, error.what());
+} catch (
+    const nlohmann::json::parse_error& error) {  // of what is stored: what clients send is parsed without
+  return damaged(
+      service, request,
+      std::string("a stored document cannot be read (") + error.what() + ")" + kWhatToDoAboutDamage);
 } catch (const DatabaseUnavailable& error) {
   std::clog << "capstan: " << request.method << ' ' << request.path << ": " << error.what() << std::endl;
   Response refusal = problem(503, "Not available", error.what());

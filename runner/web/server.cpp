@@ -4,11 +4,13 @@
 
 namespace capstan {
 
-Server::Server(Service& service, Address address, Access access)
-    : address_(std::move(address)), http_(std::make_unique<HttpServer>(service, std::move(access))) {
+Server::Server(const std::filesystem::path& data, Address address, Access access)
+    : address_(std::move(address)), http_(std::make_unique<HttpServer>(data, std::move(access))) {
   address_.port = http_->listen_at(address_);
 }
 
 Server::~Server() = default;
+
+void Server::serve(Service& service) { http_->set_service(service); }
 
 }  // namespace capstan

@@ -1,5 +1,6 @@
 #pragma once
 // The HTTP server: carries requests to the routes and responses back, on threads of its own.
+#include <filesystem>
 #include <memory>
 
 #include "runner/service/service.hpp"
@@ -12,11 +13,15 @@ class HttpServer;
 
 class Server {
  public:
-  /// Listens from now on. Throws std::runtime_error when the address is taken.
-  Server(Service& service, Address address, Access access);
+  /// Listens from now on, and says that it is starting. Throws std::runtime_error when the address is taken.
+  /// \param data  the data directory
+  Server(const std::filesystem::path& data, Address address, Access access);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
+
+  /// Answers all requests from now on.
+  void serve(Service& service);
 
   /// With the port that was found, if any free one was asked for.
   const Address& address() const { return address_; }

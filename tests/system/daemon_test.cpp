@@ -1,11 +1,18 @@
 // The real daemon with a real database, real processes and a real port; only the physics is faked.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
+#include <memory>
+#include <thread>
 
 #include "runner/execute/process_identity.hpp"
 #include "runner/queue/database.hpp"
+#include "tests/support/campaign.hpp"
+#include "tests/support/file_bytes.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/sample_studies.hpp"
 #include "tests/support/served_study.hpp"
@@ -37,6 +44,21 @@ class DaemonTest : public testing::Test {
     const ordered_json full = client.get("/v1/cases/" + shown["id"].get<std::string>());
     for (const ordered_json& attempt : full["attempts"]) all.push_back(attempt["ending"]);
     return all;
+  }
+  /// By the daemon's log of requests.
+  void wait_for_requests(const std::string& request, int count) {
+    for (int found = 0; found < count; usleep(1000)) {
+      const std::string log = file_bytes(data_.path() / "requests.log");
+      found = 0;
+      for (auto at = log.find(request); at != log.npos; at = log.find(request, at + 1)) ++found;
+    }
+  }
+  /// Of all cases.
+  std::int64_t crashes() {
+    Database database(data_.path() / "capstan.sqlite", Database::Access::read);
+    Statement row = database.query("SELECT total(crashes) FROM cases");
+    row.step();
+    return row.integer(0);
   }
 
   TemporaryDirectory data_;
@@ -116,6 +138,59 @@ TEST_F(DaemonTest, TerminatedDaemonHasItsRunsWriteACheckpointAndExitsWithZero) {
   EXPECT_THAT(endings(again, cases(again, id)[0]), ElementsAre("interrupted", "done"));
 }
 
+/// The signal may come before the process of a run can take it.
+TEST_F(DaemonTest, OrderlyStopsSoonAfterTheStartFailNoCase) {
+  for (int life = 0; life < 10; ++life) {
+    Daemon daemon(data_.path(), {"--cores", "4"});
+    Client client(daemon.url());
+    submit(client, {{"Ca", {{"from", 0.1}, {"to", 0.8}, {"count", 8}}}, {"V", {40}}});
+    daemon.ends_within(std::chrono::milliseconds(3 * life));
+    EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+  }
+  EXPECT_EQ(crashes(), 0);
+}
+
+TEST_F(DaemonTest, CancellationsSoonAfterTheStartAreNoCrashes) {
+  const Daemon daemon(data_.path(), {"--cores", "4"});
+  Client client(daemon.url());
+  for (int i = 0; i < 10; ++i) {
+    const std::string id = submit(client, {{"Ca", {0.1, 0.2, 0.3, 0.4}}, {"V", {40}}});
+    wait_for(client, "/v1/studies/" + id,
+             [](const ordered_json& study) { return study["cases"]["running"] > 0; });
+    client.post("/v1/studies/" + id + "/cancel", "");
+    wait_for_cases(client, id, "cancelled", 4);
+  }
+  EXPECT_EQ(crashes(), 0);
+}
+
+TEST_F(DaemonTest, FilesAreForItsUserAlone) {
+  const mode_t before = umask(0);
+  const std::filesystem::path data = data_.path() / "made by the daemon";
+  const Daemon daemon(data);
+  umask(before);
+  Client client(daemon.url());
+  wait_for_cases(client, submit(client, {{"Ca", {0.25}}}), "done", 1);
+  namespace fs = std::filesystem;
+  constexpr fs::perms kOthers = fs::perms::group_all | fs::perms::others_all;
+  EXPECT_EQ(fs::status(data).permissions() & kOthers, fs::perms::none);
+  for (const auto& entry : fs::recursive_directory_iterator(data))
+    EXPECT_EQ(entry.status().permissions() & kOthers, fs::perms::none) << entry.path();
+}
+
+TEST_F(DaemonTest, RunsDoNotInheritTheToken) {
+  setenv("CAPSTAN_TOKEN", "0123456789abcdef0123456789abcdef", 1);
+  const Daemon daemon(data_.path());
+  Client client(daemon.url());
+  unsetenv("CAPSTAN_TOKEN");
+  const std::string id = submit(client, {{"Ca", {0.25}}, {"V", {70}}});
+  wait_for_half(client, id);
+  const std::vector<pid_t> workers = workers_of(data_.path());
+  ASSERT_EQ(workers.size(), 1u);
+  const std::string environment = file_bytes("/proc/" + std::to_string(workers[0]) + "/environ");
+  EXPECT_NE(environment.find("CAPSTAN_DAEMON="), environment.npos);
+  EXPECT_EQ(environment.find("CAPSTAN_TOKEN"), environment.npos);
+}
+
 TEST_F(DaemonTest, CancelledStudyEndsItsRuns) {
   const Daemon daemon(data_.path());
   Client client(daemon.url());
@@ -123,6 +198,55 @@ TEST_F(DaemonTest, CancelledStudyEndsItsRuns) {
   wait_for_cases(client, id, "running", 2);
   client.post("/v1/studies/" + id + "/cancel", "");
   wait_for_cases(client, id, "cancelled", 2);
+}
+
+TEST_F(DaemonTest, WatchedSubmissionSurvivesARestartOfTheDaemon) {
+  auto daemon = std::make_unique<Daemon>(data_.path());
+  const std::string address = daemon->url().substr(std::string("http://").size());
+  const std::filesystem::path file = data_.path() / "study.json";
+  overwrite(file, study_document("watched", {{"Ca", {0.25}}, {"V", {80}}}).dump());
+  CommandResult submit;
+  std::thread command(
+      [&] { submit = run_capstan("submit " + file.string() + " --watch --server " + daemon->url()); });
+  Client client(daemon->url());
+  const auto study = [&] { return client.get("/v1/studies")["studies"]; };
+  wait_for(client, "/v1/studies", [](const ordered_json& list) {
+    return list["studies"].size() == 1 && list["studies"][0]["progress"] == 0.5;
+  });
+  EXPECT_EQ(daemon->end_with(SIGTERM), 0);
+  const Daemon successor(data_.path(), {"--listen", address});
+  command.join();
+  EXPECT_EQ(submit.exit_code, 0) << submit.errors;
+  EXPECT_EQ(study()[0]["cases"]["done"], 1);
+}
+
+TEST_F(DaemonTest, PausedStudyIsResumedByASubmissionThatSaysSo) {
+  const Daemon daemon(data_.path(), {"--cores", "1"});
+  Client client(daemon.url());
+  const std::filesystem::path file = data_.path() / "study.json";
+  overwrite(file, study_document("paused", {{"Ca", {0.25, 0.5}}, {"V", {70}}}).dump());
+  const std::string submission = "submit " + file.string() + " --server " + daemon.url();
+  const CommandResult first = run_capstan(submission);
+  EXPECT_EQ(first.errors, "");
+  const std::string id = first.output.substr(0, first.output.find('\n'));
+  client.post("/v1/studies/" + id + "/pause", "");
+  EXPECT_EQ(run_capstan(submission).errors, "the study was paused, and is resumed\n");
+  EXPECT_EQ(client.get("/v1/studies/" + id)["paused"], false);
+}
+
+TEST_F(DaemonTest, WatchSaysThatTheStudyIsPaused) {
+  const Daemon daemon(data_.path(), {"--cores", "1"});
+  Client client(daemon.url());
+  const std::string id = submit(client, {{"Ca", {0.25}}, {"V", {70}}});
+  client.post("/v1/studies/" + id + "/pause", "");
+  CommandResult watch;
+  std::thread command([&] { watch = run_capstan("watch " + id + " --server " + daemon.url()); });
+  wait_for_requests("GET /v1/studies/" + id + " 200", 2);
+  client.post("/v1/studies/" + id + "/cancel", "");
+  command.join();
+  EXPECT_NE(watch.output.find("the study is paused, no case is started; go on with:  capstan resume " + id),
+            std::string::npos)
+      << watch.output;
 }
 
 TEST_F(DaemonTest, SecondDaemonCannotTakeThePort) {

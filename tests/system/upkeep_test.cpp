@@ -1,6 +1,8 @@
 // `capstan doctor` and `capstan backup`, on what the real daemon has left.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 
 #include <csignal>
 #include <fstream>
@@ -75,6 +77,30 @@ TEST_F(UpkeepTest, DoctorWritesALostOrChangedResultAgain) {
     expect_fault_that_is_mended("result.json");
     EXPECT_EQ(ordered_json::parse(file_bytes(run() / "result.json")), ordered_json::parse(before));
   }
+}
+
+TEST_F(UpkeepTest, DoctorWritesALostOrDamagedHistoryAgain) {
+  const fs::path history = run() / "history.jsonl";
+  fs::remove(history);
+  expect_fault_that_is_mended("history.jsonl is missing; the database holds 10 records");
+  overwrite(history, file_bytes(history) + "rubbish\n");
+  expect_fault_that_is_mended("history.jsonl is damaged in line 11");
+}
+
+TEST_F(UpkeepTest, DoctorStoresAHistoryThatTheDatabaseLacks) {
+  change("DELETE FROM histories WHERE record > 3");
+  expect_fault_that_is_mended("the database holds 4 of the 10 records");
+  Database database(data_.path() / "capstan.sqlite", Database::Access::read);
+  Statement row = database.query("SELECT count(*) FROM histories");
+  ASSERT_TRUE(row.step());
+  EXPECT_EQ(row.integer(0), 20);
+}
+
+TEST_F(UpkeepTest, DoctorSaysThatADoneCaseHasLostItsHistory) {
+  change("DELETE FROM histories");
+  fs::remove(run() / "history.jsonl");
+  EXPECT_THAT(doctor(" --repair").output,
+              HasSubstr("fault: case " + case_id_ + " is done, but has no history"));
 }
 
 TEST_F(UpkeepTest, DoctorQueuesACaseWhoseResultIsLostAgain) {
@@ -178,6 +204,52 @@ TEST_F(UpkeepTest, BackupOfARunningDaemonHoldsAllResults) {
   Client again(successor.url());
   for (const ordered_json& study : again.get("/v1/studies")["studies"])
     wait_for_cases(again, study["id"], "done", study["cases"]["total"]);
+}
+
+TEST_F(UpkeepTest, BackupReplacesAnEarlierOne) {
+  const std::string backup =
+      "backup " + (elsewhere_.path() / "copy.sqlite").string() + " --data " + data_.path().string();
+  EXPECT_EQ(run_capstan(backup).exit_code, 0);
+  EXPECT_EQ(run_capstan(backup).exit_code, 0);
+  EXPECT_FALSE(fs::exists(elsewhere_.path() / "copy.sqlite.partial"));
+}
+
+/// Whatever stands at FILE and is no earlier copy stays as it is.
+TEST_F(UpkeepTest, BackupReplacesNothingElse) {
+  const Daemon daemon(data_.path());
+  const fs::path there = elsewhere_.path();
+  overwrite(there / "text", "not a database");
+  overwrite(there / "empty", "");
+  fs::create_directory(there / "directory");
+  fs::create_symlink(data_.path() / "capstan.sqlite", there / "link");
+  fs::create_symlink(there / "nowhere", there / "broken link");
+  fs::create_hard_link(data_.path() / "capstan.sqlite", there / "hard link");
+  ASSERT_EQ(mkfifo((there / "fifo").c_str(), 0600), 0);
+  std::vector<fs::path> targets = {there / "no directory" / "copy.sqlite"};
+  const bool has_device = mknod((there / "device").c_str(), S_IFCHR | 0600, makedev(1, 3)) == 0;  // as root
+  if (has_device) targets.push_back(there / "device");
+  for (const char* name : {"capstan.sqlite", "capstan.sqlite-wal", "capstan.sqlite-journal", "lock", "runs"})
+    targets.push_back(data_.path() / name);
+  for (const char* name : {"text", "empty", "directory", "link", "broken link", "hard link", "fifo"})
+    targets.push_back(there / name);
+  for (const fs::path& target : targets) {
+    const CommandResult refused =
+        run_capstan("backup '" + target.string() + "' --data " + data_.path().string());
+    EXPECT_EQ(refused.exit_code, 2) << target << refused.output;
+    EXPECT_THAT(refused.errors, HasSubstr(target.string()));
+  }
+  EXPECT_EQ(file_bytes(there / "text"), "not a database");
+  EXPECT_TRUE(fs::is_symlink(there / "link") && fs::is_fifo(there / "fifo") && fs::is_empty(there / "empty"));
+  EXPECT_TRUE(!has_device || fs::is_character_file(there / "device"));
+  Client client(daemon.url());
+  EXPECT_EQ(client.get("/readyz")["status"], "ready");
+}
+
+TEST_F(UpkeepTest, BackupDoesNotReplaceTheDatabaseOfAnotherDirectory) {
+  const TemporaryDirectory other;
+  { const Daemon daemon(other.path()); }
+  const std::string target = other.path() / "capstan.sqlite";
+  EXPECT_EQ(run_capstan("backup " + target + " --data " + data_.path().string()).exit_code, 2);
 }
 
 TEST_F(UpkeepTest, BackupThatCannotBeWrittenLeavesTheOldOne) {

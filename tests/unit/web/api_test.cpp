@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -45,6 +46,29 @@ class ApiTest : public ServiceFixture {
 };
 
 TEST_F(ApiTest, HealthNamesTheProgram) { EXPECT_EQ(json(get("/healthz"))["program"], "capstan"); }
+
+/// Of the histories the first page is damaged; all else can be read.
+TEST_F(ApiTest, DamagedDatabaseIsNotReadyAndTakesNoStudyOnceTheDamageIsSeen) {
+  const std::string id = submit_and_complete_one();
+  const std::string found = json(get("/v1/studies/" + id + "/cases"))["cases"][0]["id"];
+  service_.reset();
+  const std::int64_t page = [&] {
+    Database database(data_.database(), Database::Access::write);
+    Statement row = database.query("SELECT rootpage FROM sqlite_schema WHERE name = 'histories'");
+    return row.step() ? row.integer(0) : 0;
+  }();
+  ASSERT_GT(page, 1);
+  constexpr std::int64_t kPage = 4096;
+  std::fstream(data_.database(), std::ios::binary | std::ios::in | std::ios::out).seekp((page - 1) * kPage)
+      << std::string(kPage, 'x');
+  restart();
+  EXPECT_EQ(get("/readyz").status, 200);
+  const Response history = get("/v1/cases/" + found + "/history");
+  EXPECT_EQ(history.status, 503);
+  EXPECT_THAT(history.body, HasSubstr("capstan doctor"));
+  EXPECT_EQ(get("/readyz").status, 503);
+  EXPECT_EQ(ask("POST", "/v1/studies", study_document("api", {{"Ca", {0.5}}}).dump()).status, 503);
+}
 
 TEST_F(ApiTest, NewStudyIsCreatedAndLinksToItsParts) {
   const Response response = ask("POST", "/v1/studies", study_document("api", {{"Ca", {0.25, 0.75}}}).dump());
