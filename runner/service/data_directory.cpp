@@ -40,15 +40,28 @@ DataDirectory::DataDirectory(const std::filesystem::path& path) {
   std::filesystem::create_directories(path / "runs");
   path_ = std::filesystem::canonical(path);
   refuse_network(path_);
-  const std::filesystem::path file = path_ / "lock";
-  lock_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock_ < 0) throw std::system_error(errno, std::generic_category(), "cannot open " + file.string());
-  if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
-  close(lock_);
+  lock_ = held(path_ / "lock", O_RDWR | O_CREAT);
+  try {
+    directory_ = held(path_, O_RDONLY | O_DIRECTORY);
+  } catch (...) {
+    close(lock_);
+    throw;
+  }
+}
+
+/// The descriptor of a file that is locked as long as it is open.
+int DataDirectory::held(const std::filesystem::path& path, int flags) const {
+  const int descriptor = open(path.c_str(), flags | O_CLOEXEC, 0644);
+  if (descriptor < 0) throw std::system_error(errno, std::generic_category(), "cannot open " + path.string());
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  close(descriptor);
   throw std::runtime_error("another capstan serves " + path_.string() +
                            "; give this one its own --data directory");
 }
 
-DataDirectory::~DataDirectory() { close(lock_); }
+DataDirectory::~DataDirectory() {
+  close(directory_);
+  close(lock_);
+}
 
 }  // namespace capstan

@@ -15,7 +15,7 @@ std::string network_file_system(long type);
 
 class DataDirectory {
  public:
-  /// Makes the directory if need be and holds it until the process ends. Throws std::runtime_error when
+  /// Makes the directory if need be and holds it until the process ends, whoever removes the file `lock`. Throws std::runtime_error when
   /// another daemon holds it, or when it lies on a network file system: SQLite's log cannot be kept there.
   /// Only `runs` may, as a symbolic link.
   explicit DataDirectory(const std::filesystem::path& path);
@@ -29,8 +29,10 @@ class DataDirectory {
   RunDirectory run(const std::string& case_id) const { return RunDirectory(runs() / case_id); }
 
  private:
+  int held(const std::filesystem::path& path, int flags) const;
+
   std::filesystem::path path_;
-  int lock_;
+  int lock_ = -1, directory_ = -1;
 };
 
 }  // namespace capstan

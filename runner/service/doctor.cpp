@@ -37,8 +37,11 @@ class Doctor {
   }
 
   void look_at_disk() {
+    if (!std::filesystem::exists(data_ / "runs"))
+      found((data_ / "runs").string() + " is missing",
+            [this] { std::filesystem::create_directories(data_ / "runs"); });
     for (const std::filesystem::path& place : {data_, data_ / "runs"})
-      if (std::filesystem::space(place).available < kLeastFree)
+      if (std::filesystem::exists(place) && std::filesystem::space(place).available < kLeastFree)
         found("less than " + std::to_string(kLeastFree / 1'000'000) + " MB are free in " + place.string(),
               {});
   }

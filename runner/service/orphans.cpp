@@ -13,6 +13,7 @@ bool could_be_an_id(const std::string& name) {
 
 std::vector<RunDirectory> orphans_in(const std::filesystem::path& runs, Database& database) {
   std::vector<RunDirectory> orphans;
+  if (!std::filesystem::exists(runs)) return orphans;
   for (const auto& entry : std::filesystem::directory_iterator(runs)) {
     const std::string name = entry.path().filename();
     if (could_be_an_id(name) && !database.query("SELECT 1 FROM cases WHERE id = ?", name).step())

@@ -23,8 +23,11 @@ struct Server {
   FakeExecutor executor;
   FakeClock clock;
   Service service{data, executor, clock, 2};
-  HttpServer http{service, Access{{"named.example"}, {}}};
-  Server() { service.submit(sample_study("kept", {{"Ca", {0.25, 0.75}}})); }
+  HttpServer http{data.path(), Access{{"named.example"}, {}}};
+  Server() {
+    http.set_service(service);
+    service.submit(sample_study("kept", {{"Ca", {0.25, 0.75}}}));
+  }
 };
 
 std::string receive_all(int socket) {

@@ -112,8 +112,9 @@ TEST_F(DaemonTest, SuccessorOfAKilledDaemonCompletesWhatItLeft) {
     Client client(daemon.url());
     id = submit(client, {{"Ca", {0.25, 0.75}}, {"V", {2, 80}}});
     wait_for_cases(client, id, "done", 2);
-    wait_for(client, "/v1/studies/" + id,
-             [](const ordered_json& study) { return study["progress"] == 0.75; });
+    wait_for(client, "/v1/studies/" + id + "/cases?V=80", [](const ordered_json& found) {
+      return found["cases"][0]["progress"] == 0.5 && found["cases"][1]["progress"] == 0.5;
+    });
     daemon.end_with(SIGKILL);
   }
   const Daemon successor(data_.path());
@@ -263,6 +264,12 @@ TEST_F(DaemonTest, SecondDaemonCannotTakeTheDataDirectory) {
   const CommandResult second = run_capstan("serve --data " + data_.path().string() + " --listen 127.0.0.1:0");
   EXPECT_EQ(second.exit_code, 1);
   EXPECT_NE(second.errors.find("another capstan"), std::string::npos) << second.errors;
+}
+
+TEST_F(DaemonTest, SecondDaemonCannotTakeTheDataDirectoryThoughItsLockFileIsRemoved) {
+  const Daemon daemon(data_.path());
+  std::filesystem::remove(data_.path() / "lock");
+  EXPECT_EQ(run_capstan("serve --data " + data_.path().string() + " --listen 127.0.0.1:0").exit_code, 1);
 }
 
 }  // namespace

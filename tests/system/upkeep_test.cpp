@@ -119,6 +119,13 @@ TEST_F(UpkeepTest, DoctorTakesAwayHalfWrittenFilesAndEmptyOrphans) {
   expect_fault_that_is_mended("belongs to no case");
 }
 
+TEST_F(UpkeepTest, DoctorMakesTheDirectoryOfTheRunsAgainWithWhatTheDatabaseHas) {
+  fs::remove_all(data_.path() / "runs");
+  EXPECT_THAT(doctor().output, HasSubstr("runs is missing"));
+  EXPECT_EQ(doctor(" --repair").exit_code, 0);
+  EXPECT_EQ(doctor().output, "all is well\n");
+}
+
 TEST_F(UpkeepTest, DoctorLeavesAnOrphanThatHoldsWork) {
   const fs::path orphan = data_.path() / "runs" / "00000000deadbeef";
   fs::create_directories(orphan);
