@@ -12,6 +12,7 @@
 #include "runner/study/dropped_keys.hpp"
 #include "runner/study/expand.hpp"
 #include "runner/study/study_notes.hpp"
+#include "solver/case/case_warnings.hpp"
 #include "solver/case/content_id.hpp"
 #include "solver/case/mistyped_keys.hpp"
 
@@ -180,7 +181,7 @@ class StudyReader {
     }
     if (is_too_large) return;
     for (const Issue& issue : dropped_.faults()) fault(issue.pointer, issue.message);
-    study.notes = notes_on(study, dropped_, choices_);
+    study.notes = notes_on(study, dropped_, choices_, warnings_);
   }
 
   std::optional<Case> read_case(json& base, const std::vector<Axis>& axes, const AxisIndices& indices) {
@@ -195,6 +196,8 @@ class StudyReader {
     for (const Issue& issue : parsed.issues)
       if (!left_out.contains(first_token(issue.pointer))) add_case_fault(issue, base, axes, indices);
     for (const Choice& choice : parsed.choices) ++choices_[in_words(choice)];
+    if (parsed.value)
+      for (const std::string& warning : case_warnings(*parsed.value)) ++warnings_["warning: " + warning];
     return parsed.value;
   }
 
@@ -235,7 +238,8 @@ class StudyReader {
   std::set<std::string> faulty_axes_;  ///< parameters: that the cases lack them is no second fault
   std::set<std::pair<std::size_t, std::size_t>> faulty_values_;  ///< axis, index of the value
   DroppedKeys dropped_;
-  std::map<std::string, std::size_t> choices_;  ///< what the solver chose, in words: at how many points
+  CountedSentences choices_;   ///< what the solver chose
+  CountedSentences warnings_;  ///< of settings that make the answer doubtful
 };
 
 }  // namespace

@@ -25,13 +25,13 @@ void add_repeated_values(const Study& study, std::vector<std::string>& notes) {
   }
 }
 
-void add_choices(const Study& study, const std::map<std::string, std::size_t>& choices,
+/// \param what  the sentences are, for those that are only counted
+void add_counted(const Study& study, const CountedSentences& sentences, const std::string& what,
                  std::vector<std::string>& notes) {
   std::size_t named = 0;
-  for (const auto& [words, points] : choices) {
+  for (const auto& [words, points] : sentences) {
     if (named++ == kMaxNamed)
-      return notes.push_back("and " + std::to_string(choices.size() - kMaxNamed) +
-                             " more choices of the solver");
+      return notes.push_back("and " + std::to_string(sentences.size() - kMaxNamed) + " more " + what);
     const std::size_t all = study.points.size();
     const std::string where = "at " + std::to_string(points) + " of " + std::to_string(all) + " points ";
     notes.push_back((points < all ? where : "") + words);
@@ -58,10 +58,11 @@ void add_equal_points(const Study& study, std::vector<std::string>& notes) {
 }  // namespace
 
 std::vector<std::string> notes_on(const Study& study, const DroppedKeys& dropped,
-                                  const std::map<std::string, std::size_t>& choices) {
+                                  const CountedSentences& choices, const CountedSentences& warnings) {
   std::vector<std::string> notes = dropped.notes();
   add_repeated_values(study, notes);
-  add_choices(study, choices, notes);
+  add_counted(study, choices, "choices of the solver", notes);
+  add_counted(study, warnings, "warnings", notes);
   add_equal_points(study, notes);
   return notes;
 }

@@ -9,9 +9,12 @@
 
 namespace capstan {
 
-/// Values that stand twice on an axis, keys that were dropped, what the solver chose, points that are the
-/// same case. \param choices  in words, each with the number of points where it was made
+/// Sentences, each with the number of points that it holds for.
+using CountedSentences = std::map<std::string, std::size_t>;
+
+/// Values that stand twice on an axis, keys that were dropped, what the solver chose, settings that make the
+/// answer doubtful (case_warnings), points that are the same case.
 std::vector<std::string> notes_on(const Study& study, const DroppedKeys& dropped,
-                                  const std::map<std::string, std::size_t>& choices);
+                                  const CountedSentences& choices, const CountedSentences& warnings);
 
 }  // namespace capstan

@@ -158,6 +158,14 @@ TEST(Study, WhatTheSolverChoosesIsSaid) {
   EXPECT_THAT(study->notes, Contains(HasSubstr("at 2 of 4 points fluid: auto became stokes: ")));
 }
 
+TEST(Study, DoubtfulSettingsAreSaidBeforeTheRun) {
+  const auto study = parse_study(conditional(R"({"Ca": 0.1, "fidelity": "fast"})",
+                                             R"({"V": [1, 10], "fluid": ["stokes", "quasisteady"]})"))
+                         .value;
+  ASSERT_TRUE(study);
+  EXPECT_THAT(study->notes, Contains(HasSubstr("at 1 of 4 points warning: V = 10 on a lattice of dx = 0.2")));
+}
+
 TEST(Study, OneStudyInTwoSpellingsIsOneDocument) {
   const auto document = [](const char* text) { return parse_study_text(text).value.value().document.dump(); };
   EXPECT_EQ(document(R"({"name": "a", "base": {"Ca": 0.5, "V": 4, "E_b": 1}, "axes": {"c0": [0, 1]}})"),
