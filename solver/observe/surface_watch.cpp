@@ -1,5 +1,6 @@
 #include "solver/observe/surface_watch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -31,19 +32,34 @@ std::string SurfaceWatch::in_words() const {
   return text.str();
 }
 
+double SurfaceWatch::clearance() const {
+  return std::clamp((kLyingOnEachOther - worst_.largest_dihedral) / (kLyingOnEachOther - kFoldedEdge), 0.,
+                    1.);
+}
+
+namespace {
+
 Verdict without_label(const Verdict& verdict, const SurfaceWatch& surface) {
   std::ostringstream reason;
   reason.precision(3);
   reason << "From kt = " << *surface.lost_from()
          << " on the mesh cannot represent the surface: " << surface.in_words()
          << ". The motion is that of the mesh then, and has no label; give the membrane a bending stiffness "
-            "(E_b) or take "
-            "more nodes.";
+            "(E_b) or take more nodes.";
   Verdict withdrawn;
   withdrawn.evidence = verdict.evidence;
   withdrawn.evidence.margin = 0;
   withdrawn.explanation = reason.str();
   return withdrawn;
+}
+
+}  // namespace
+
+Verdict judged_on(const SurfaceWatch& surface, const Verdict& verdict) {
+  if (surface.lost_from()) return without_label(verdict, surface);
+  Verdict judged = verdict;
+  judged.evidence.margin *= surface.clearance();
+  return judged;
 }
 
 void SurfaceWatch::save(StateArchive& archive) const {

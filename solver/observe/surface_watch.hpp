@@ -32,6 +32,10 @@ class SurfaceWatch {
   /// When the mesh could not represent the surface for the first time.
   std::optional<double> lost_from() const { return lost_from_; }
 
+  /// How far the surface kept from being lost: 1 where no edge was folded, 0 where triangles lay on each
+  /// other.
+  double clearance() const;
+
   /// "neighbouring triangles meet at angles of up to ...": how much is folded, for a sentence.
   std::string in_words() const;
 
@@ -44,7 +48,8 @@ class SurfaceWatch {
   std::optional<double> folded_from_, lost_from_;
 };
 
-/// The verdict on a surface that was lost: its evidence stays, its label does not.
-Verdict without_label(const Verdict& verdict, const SurfaceWatch& surface);
+/// The verdict with what the surface says of it: folded edges lower its margin, and a lost surface takes its
+/// label.
+Verdict judged_on(const SurfaceWatch& surface, const Verdict& verdict);
 
 }  // namespace capstan

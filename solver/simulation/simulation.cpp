@@ -161,10 +161,7 @@ void Simulation::observe() {
   statistics_.area_drift = std::max(statistics_.area_drift, std::abs(seen.area / initial_area_ - 1));
 }
 
-Verdict Simulation::verdict() const {
-  const Verdict verdict = classify(samples_);
-  return surface_.lost_from() ? without_label(verdict, surface_) : verdict;
-}
+Verdict Simulation::verdict() const { return judged_on(surface_, classify(samples_)); }
 
 /// Whether to end early is asked each time that kt has grown by a hundredth: an answer takes time that grows with
 /// the length of the run.

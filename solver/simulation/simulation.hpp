@@ -66,7 +66,7 @@ class Simulation {
   double kt() const { return now_.kt; }
   const History& history() const { return history_; }
   const MotionSamples& samples() const { return samples_; }
-  /// Undecided where the mesh could not represent the surface.
+  /// Doubtful where the surface was folded, undecided where the mesh could not represent it.
   Verdict verdict() const;
   const SurfaceWatch& surface() const { return surface_; }
   const RunStatistics& statistics() const { return statistics_; }

@@ -42,13 +42,29 @@ TEST(SurfaceWatch, ALostSurfaceTakesTheLabelAndKeepsTheEvidence) {
       .motion = Motion::tank_treading, .evidence = {}, .certain = true, .steady = true, .explanation = {}};
   verdict.evidence.turns = 2.9;
   verdict.evidence.margin = 0.9;
-  const Verdict withdrawn = without_label(verdict, watch);
+  const Verdict withdrawn = judged_on(watch, verdict);
   EXPECT_EQ(withdrawn.motion, Motion::undecided);
   EXPECT_EQ(withdrawn.evidence.turns, 2.9);
   EXPECT_EQ(withdrawn.evidence.margin, 0);
   EXPECT_FALSE(withdrawn.certain);
   EXPECT_FALSE(withdrawn.steady);
   EXPECT_THAT(withdrawn.explanation, ::testing::HasSubstr("From kt = 7.5 on the mesh cannot represent"));
+}
+
+TEST(SurfaceWatch, FoldedEdgesMakeALabelDoubtful) {
+  Verdict verdict;
+  verdict.motion = Motion::tumbling;
+  verdict.evidence.margin = 0.8;
+  const auto margin_at = [&](double dihedral) {
+    SurfaceWatch watch;
+    watch.look(1, {dihedral, dihedral > kFoldedEdge ? 0.01 : 0, 30});
+    EXPECT_EQ(judged_on(watch, verdict).motion, Motion::tumbling);
+    return judged_on(watch, verdict).evidence.margin;
+  };
+  EXPECT_EQ(margin_at(18), 0.8);
+  EXPECT_EQ(margin_at(60), 0.8);
+  EXPECT_NEAR(margin_at(97.5), 0.4, 1e-12);
+  EXPECT_NEAR(margin_at(135), 0, 1e-12);
 }
 
 TEST(SurfaceWatch, GoesOnFromACheckpoint) {
