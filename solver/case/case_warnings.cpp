@@ -9,7 +9,7 @@ namespace {
 
 std::string rounded(double number) {
   std::ostringstream text;
-  text.precision(2);
+  text.precision(3);
   text << number;
   return text.str();
 }
@@ -41,17 +41,17 @@ std::string lattice_finer_than_mesh(const Case& c) {
 }
 
 /// The viscosity's jump is smoothed over some cells. Measured: D of spheres (Ca = 0.05 and 0.2, kt = 6) is
-/// too large by about 0.9 V dx where V > 1: 8 % at V = 5, 18 % at 10, 63 % at 30 and 150 to 200 % at 100 with
+/// too large by about 0.09 V dx where V > 1: 8 % at V = 5, 18 % at 10, 63 % at 30 and 150 to 200 % at 100 with
 /// dx = 0.2, about half with dx = 0.1. Below V = 1 the error does not depend on V.
 std::string viscosity_on_coarse_lattice(const Case& c) {
-  constexpr double kErrorOfD = 0.09, kLargestError = 0.1;
-  const double error = kErrorOfD * c.V * c.fidelity.dx;
+  constexpr double kErrorOfD = 0.09, kLargestError = 0.1, kFinest = 0.02;
+  const double error = kErrorOfD * c.V * c.fidelity.dx, fine_enough = kLargestError / (kErrorOfD * c.V);
   if (!c.has_grid() || c.V <= 1 || error < kLargestError) return "";
   return "V = " + rounded(c.V) + " on a lattice of dx = " + rounded(c.fidelity.dx) +
          ": the jump of the viscosity is smoothed over some cells, and the deformation of round capsules "
          "comes out about " +
-         rounded(100 * error) + " % too large; use \"fluid\": \"stokes\", or dx of at most " +
-         rounded(kLargestError / (kErrorOfD * c.V));
+         rounded(100 * error) + " % too large; use \"fluid\": \"stokes\"" +
+         (fine_enough >= kFinest ? ", or dx of at most " + rounded(fine_enough) : "");
 }
 
 }  // namespace
