@@ -81,6 +81,23 @@ TEST(Resume, PapersSchemeGoesOnToTheLastBit) {
     "fidelity": {"preset": "paper", "dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.08, "tolerance": 0.01}})"));
 }
 
+TEST(Resume, ARunThatEndsEarlyEndsAtTheSameTimeWithTheSameEvidence) {
+  const Case c = parsed_case(R"({"Ca": 0.05, "fluid": "stokes", "until": {"kt": 30, "classified": true},
+    "outputs": {"checkpoint_every": 30}, "fidelity": {"nodes": 162}})");
+  MemoryOutput whole;
+  Simulation uninterrupted(c);
+  EXPECT_EQ(uninterrupted.run(whole).stop, Stop::steady);
+  ASSERT_GE(whole.checkpoints.size(), 2u);
+  for (const StateArchive& checkpoint : whole.checkpoints) {
+    MemoryOutput rest;
+    Simulation resumed(c);
+    resumed.load(checkpoint);
+    EXPECT_EQ(resumed.run(rest).stop, Stop::steady);
+    EXPECT_EQ(resumed.history(), uninterrupted.history());
+    EXPECT_EQ(resumed.verdict().evidence.margin, uninterrupted.verdict().evidence.margin);
+  }
+}
+
 TEST(Resume, InterruptionLeavesACheckpointOfThatVeryStep) {
   const Case c = parsed_case(R"({"Ca": 0.1, "until": {"kt": 0.4}, "outputs": {"checkpoint_every": 100},
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})");
