@@ -21,6 +21,20 @@ std::string duration(double seconds) {
   return plain(std::round(seconds / 360) / 10) + " h";
 }
 
+/// The axes' values as they were asked for at the first point of each case, and what it takes.
+nlohmann::ordered_json rows_of(const Study& study, const std::vector<double>& seconds) {
+  nlohmann::ordered_json rows;
+  for (std::size_t number = 0; number < seconds.size(); ++number) {
+    const auto point = std::ranges::find(study.points, number) - study.points.begin();
+    const nlohmann::json asked = study.asked_at(static_cast<std::size_t>(point));
+    nlohmann::ordered_json& row = rows.emplace_back(nlohmann::ordered_json::object());
+    for (const Axis& axis : study.axes) row[axis.parameter()] = asked[axis.parameter()];
+    row["fluid"] = word(study.cases[number].fluid);
+    row["seconds"] = std::round(100 * seconds[number]) / 100;
+  }
+  return rows;
+}
+
 }  // namespace
 
 int estimate_study(const Study& study, int cores, bool json) {
@@ -30,14 +44,7 @@ int estimate_study(const Study& study, int cores, bool json) {
   const double longest = *std::ranges::max_element(seconds);
   // the last cases leave cores idle for half a case on average
   const double wall = std::max(longest, total / cores + (cores > 1 ? longest / 2 : 0));
-  nlohmann::ordered_json rows;
-  for (std::size_t i = 0; i < seconds.size(); ++i) {
-    const Case& c = study.cases[i];
-    rows.push_back({{"Ca", c.Ca},
-                    {"V", c.V},
-                    {"fluid", word(c.fluid)},
-                    {"seconds", std::round(100 * seconds[i]) / 100}});
-  }
+  const nlohmann::ordered_json rows = rows_of(study, seconds);
   if (json) {
     std::cout << nlohmann::ordered_json{{"cases", rows},
                                         {"core_seconds", total},

@@ -1,6 +1,7 @@
 #include "runner/results/result_columns.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "runner/study/axis.hpp"
 #include "solver/case/choice.hpp"
@@ -62,6 +63,11 @@ std::string short_name(const std::string& path) {
 /// What was resolved, the solver's numerics, and how the runs ended.
 bool may_vary_in_summary(const std::string& path) {
   return is_parameter(path) || path == "trust.numerics_version" || path == "stop";
+}
+
+/// Of words and of the unit 1 the value itself.
+ordered_json in_unit(const ordered_json& value, double unit) {
+  return value.is_number() && unit != 1 ? ordered_json(value.get<double>() / unit) : value;
 }
 
 }  // namespace
@@ -200,7 +206,8 @@ std::vector<ResultColumn> ResultColumns::summary(const ordered_json& study) cons
       columns.push_back({short_name(path), path});
   for (const char* path :
        {"state", "motion", "kt", "final.D_xy", "final.theta", "evidence.margin", "message"})
-    columns.push_back({short_name(path), path});
+    columns.push_back(path == std::string("final.theta") ? ResultColumn{"theta/pi", path, std::numbers::pi}
+                                                         : ResultColumn{short_name(path), path});
   if (has_words("trust.warnings")) columns.push_back({"warnings", "trust.warnings"});
   return columns;
 }
@@ -213,7 +220,7 @@ Table table_of(const ordered_json& cases, const std::vector<ResultColumn>& colum
     auto& row = table.rows.emplace_back();
     for (const ResultColumn& column : columns) {
       const auto found = values.find(column.path);
-      row.push_back(found == values.end() ? ordered_json() : found->second);
+      row.push_back(found == values.end() ? ordered_json() : in_unit(found->second, column.unit));
     }
   }
   return table;

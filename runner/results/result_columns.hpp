@@ -14,6 +14,7 @@ namespace capstan {
 struct ResultColumn {
   std::string name;  ///< in the header
   std::string path;
+  double unit = 1;  ///< numbers are shown in it
 };
 
 /// What the values of all points are like, gathered page by page.

@@ -44,5 +44,30 @@ TEST(RunCost, OfBoundaryIntegralsGrowsWithTheMembranesStiffness) {
   EXPECT_LT(cost(R"(, "fluid": "stokes")"), cost(R"(, "fluid": "stokes")", 0.05));
 }
 
+double cost_of(const std::string& shape, const std::string& fidelity, const char* fluid) {
+  return run_cost(testing::parsed_case(R"({"Ca": 0.1, )" + shape + R"(, "fluid": ")" + fluid +
+                                       R"(", "fidelity": )" + fidelity + "}"));
+}
+const std::string kSphere = R"("shape": "sphere")", kNeedle = R"("shape": "prolate", "aspect": 4)";
+
+/// The bands hold measured ratios of processor time.
+TEST(RunCost, KnowsDrawnOutCapsules) {
+  const auto ratio = [](const char* fidelity, const char* fluid) {
+    return cost_of(kNeedle, fidelity, fluid) / cost_of(kSphere, fidelity, fluid);
+  };
+  EXPECT_NEAR(ratio(R"({"nodes": 642})", "stokes"), 4.2, 1);
+  EXPECT_NEAR(ratio(R"({"nodes": 2562})", "stokes"), 3.9, 1.5);
+  EXPECT_NEAR(ratio(R"({"preset": "standard", "stepper": "ab2", "kdt": 0.02})", "quasisteady"), 1.55, 0.3);
+}
+
+TEST(RunCost, KnowsCoarseAndFineMeshes) {
+  const auto cost_with = [](int nodes) {
+    return cost_of(kSphere, "{\"nodes\": " + std::to_string(nodes) + "}", "stokes");
+  };
+  EXPECT_NEAR(cost_with(642) / cost_with(162), 7, 3);
+  EXPECT_NEAR(cost_with(2562) / cost_with(642), 10, 4);
+  EXPECT_NEAR(cost_with(10242) / cost_with(2562), 20, 8);
+}
+
 }  // namespace
 }  // namespace capstan

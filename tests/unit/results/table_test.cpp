@@ -131,7 +131,14 @@ TEST(SummaryTable, ShowsTheAxesAsAskedForAndWhatVariesBeside) {
   const Table plain_table =
       summary_table(study_over({"Ca"}), {point(1, R"({"Ca": 0.1})"), point(2, R"({"Ca": 0.2})")});
   EXPECT_EQ(plain_table.columns, (std::vector<std::string>{"point", "case", "Ca", "state", "motion", "kt",
-                                                           "D_xy", "theta", "margin", "message"}));
+                                                           "D_xy", "theta/pi", "margin", "message"}));
+}
+
+TEST(Table, SummaryShowsAnglesInUnitsOfPi) {
+  const auto final = ordered_json::parse(R"({"final": {"theta": 1.5707963267948966}})");
+  const auto cases = ordered_json::array({point(1, R"({"Ca": 0.1})", final)});
+  const Table table = summary_table(study_over({"Ca"}), cases);
+  EXPECT_EQ(cell(table, 0, "theta/pi"), 0.5);
 }
 
 }  // namespace
