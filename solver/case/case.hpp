@@ -43,7 +43,7 @@ struct Until {
 struct Outputs {
   double history_every = 0.1;
   double shapes_every = 1;
-  int checkpoint_every = 250;  ///< steps
+  int checkpoint_every = 0;  ///< steps; 0: as time goes by only
   bool operator==(const Outputs&) const = default;
 };
 

@@ -229,7 +229,7 @@ void read_outputs(ObjectReader& reader, Outputs& outputs) {
   inner->number("shapes_every", outputs.shapes_every, {0, 10000});
   if (outputs.shapes_every > 0 && outputs.shapes_every < kLeastTime)
     inner->fault("shapes_every", "is " + shown(outputs.shapes_every) + ", must be 0 (no shapes) or at least " + shown(kLeastTime));
-  inner->integer("checkpoint_every", outputs.checkpoint_every, {1, 1000000});
+  inner->integer("checkpoint_every", outputs.checkpoint_every, {0, 1000000});
   inner->finish();
 }
 

@@ -13,8 +13,8 @@ class OutputTimes {
 
   long last() const { return last_; }  ///< the number of the end; the start has number 0
 
-  /// In the decimals a user would write: 3 times 0.1 is 0.3, not 0.30000000000000004. A product's rounding error
-  /// is less than half of the fifteenth digit.
+  /// In the decimals a user would write: 3 times 0.1 is 0.3, not 0.30000000000000004. A product's rounding
+  /// error is less than half of the fifteenth digit.
   double operator[](long number) const {
     if (number >= last_) return end_;
     char text[32];

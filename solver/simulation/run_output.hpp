@@ -10,10 +10,12 @@ class RunOutput {
  public:
   virtual ~RunOutput() = default;
   virtual void record(const Record& record) = 0;
-  /// The membrane at a recorded time, if the case asks for shapes; frames count from 0.
+  /// The membrane at a time asked for, or where a run broke down; frames count from 0.
   virtual void shape(double kt, int frame, const Points& positions, const Points& velocities,
                      const Points& forces) = 0;
   virtual void checkpoint(StateArchive state) = 0;
+  /// Asked after each step. \param steps  since the start of the run
+  virtual bool is_checkpoint_due(long steps) = 0;
   virtual bool interrupted() const = 0;
 };
 

@@ -45,23 +45,23 @@ void ShapeWriter::write(double kt, int frame, const Points& positions, const Poi
   write_rows(file, "forces", forces);
   file.close();
   pending.publish();
-  take_up_frames_before(frame);
-  times_.erase(times_.lower_bound(frame), times_.end());
+  if (times_.empty()) take_up_frames_before(frame);
   times_[frame] = kt;
-  write_index(positions.cols());
+  vertex_count_ = positions.cols();
 }
 
+/// Of an earlier process of this run.
 void ShapeWriter::take_up_frames_before(int frame) {
   for (int earlier = 0; earlier < frame; ++earlier) {
     const fs::path path = directory_ / frame_file(earlier);
-    if (!times_.contains(earlier) && fs::exists(path)) times_[earlier] = Hdf5Reader(path).read("kt").at(0);
+    if (fs::exists(path)) times_[earlier] = Hdf5Reader(path).read("kt").at(0);
   }
 }
 
-void ShapeWriter::write_index(long vertex_count) const {
+void ShapeWriter::write_index() const {
   std::vector<XdmfFrame> frames;
   for (const auto& [frame, kt] : times_) frames.push_back({kt, frame_file(frame)});
-  write_durably(directory_ / "shapes.xdmf2", xdmf_index({kMeshFile, vertex_count, face_count_}, frames));
+  write_durably(directory_ / "shapes.xdmf2", xdmf_index({kMeshFile, vertex_count_, face_count_}, frames));
 }
 
 }  // namespace capstan

@@ -2,8 +2,8 @@
 // The membrane in time: one HDF5 file a frame, the triangles in one of their own, and an index of the frames
 // with their times for ParaView.
 //
-// One file a frame, because HDF5 loses a whole file when its writer is killed. Each is published whole, and
-// the index after it.
+// One file a frame, because HDF5 loses a whole file when its writer is killed. Each is published whole. The
+// index is replaced as a whole, which costs the more the more frames there are: its owner says when.
 #include <filesystem>
 #include <map>
 
@@ -16,9 +16,7 @@ class ShapeWriter {
   /// Writes DIRECTORY/shapes/mesh.h5.
   ShapeWriter(std::filesystem::path directory, const Faces& faces);
 
-  /// Writes DIRECTORY/shapes/NNNN.h5, and the index DIRECTORY/shapes.xdmf2 of this and all earlier frames: a
-  /// resumed run drops the frames after its checkpoint from the index, and writes them again.
-  /// Throws a std::runtime_error naming operation and file.
+  /// Writes DIRECTORY/shapes/NNNN.h5. Throws a std::runtime_error naming operation and file.
   /// \param kt          shear time
   /// \param frame       counts from 0
   /// \param positions   3 x #V, / a
@@ -26,12 +24,15 @@ class ShapeWriter {
   /// \param forces      3 x #V, by the membrane on the fluid, / (mu_a k a^2)
   void write(double kt, int frame, const Points& positions, const Points& velocities, const Points& forces);
 
+  /// Replaces the index DIRECTORY/shapes.xdmf2: all frames up to the last one written. A resumed run drops
+  /// the frames after its checkpoint from it, and writes them again.
+  void write_index() const;
+
  private:
   void take_up_frames_before(int frame);
-  void write_index(long vertex_count) const;
 
   std::filesystem::path directory_;
-  long face_count_;
+  long face_count_, vertex_count_ = 0;
   std::map<int, double> times_;  ///< kt by frame
 };
 

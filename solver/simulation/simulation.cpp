@@ -19,18 +19,22 @@ namespace capstan {
 // Paper, section VI: at each step the membrane's forces drive a steady flow, and the membrane moves with that
 // flow.
 Outcome Simulation::run(RunOutput& output) {
+  std::optional<Outcome> breakdown;
   if (history_.empty()) {
-    if (auto outcome = find_flow()) return *outcome;
-    put_out(output);
+    breakdown = find_flow();
+    if (!breakdown) put_out(output);
   }
-  for (;;) {
-    if (auto outcome = step()) return *outcome;
+  while (!breakdown) {
+    breakdown = step();
+    if (breakdown) break;
     put_out(output);
     if (auto outcome = finished(output)) return *outcome;
     const bool interrupted = output.interrupted();
-    if (interrupted || statistics_.steps % case_.outputs.checkpoint_every == 0) save_checkpoint(output);
+    if (interrupted || output.is_checkpoint_due(statistics_.steps)) save_checkpoint(output);
     if (interrupted) return {Stop::interrupted};
   }
+  show_breakdown(output);
+  return *breakdown;
 }
 
 /// A lattice in time has steps of one length: its last one goes beyond the end.
@@ -121,14 +125,29 @@ void Simulation::note(const FlowReport& flow) {
   statistics_.worst_flow_error = std::max(statistics_.worst_flow_error, error);
 }
 
+/// The last sound state, if there was one, as a record and a shape; and as a shape what came of it.
+void Simulation::show_breakdown(RunOutput& output) {
+  if (!history_.empty()) {
+    if (history_.back().kt < before_.kt) record(before_, output);
+    if (!is_shown(before_.kt)) show(before_, output);
+    if (now_.kt == before_.kt) return;  // no step could be made
+  }
+  if (now_.positions.allFinite()) membrane_.forces(now_.positions, now_.forces);
+  show(now_, output);
+}
+
+bool Simulation::is_shown(double time) const { return shape_times_ && (*shape_times_)[frames_ - 1] >= time; }
+
+void Simulation::show(const MembraneState& state, RunOutput& output) {
+  output.shape(state.kt, frames_++, state.positions, state.velocities, state.forces);
+}
+
 /// Everything that was asked for since the step before, and a sample.
 void Simulation::put_out(RunOutput& output) {
   for (long n = long(history_.size()); n <= record_times_.last() && has_come(record_times_[n]); ++n)
-    record(record_times_[n], output);  // eqs. 5, 44
-  for (; shape_times_ && frames_ <= shape_times_->last() && has_come((*shape_times_)[frames_]); ++frames_) {
-    const MembraneState shape = state_at((*shape_times_)[frames_]);
-    output.shape(shape.kt, frames_, shape.positions, shape.velocities, shape.forces);
-  }
+    record(state_at(record_times_[n]), output);  // eqs. 5, 44
+  while (shape_times_ && frames_ <= shape_times_->last() && has_come((*shape_times_)[frames_]))
+    show(state_at((*shape_times_)[frames_]), output);
   observe();
 }
 
@@ -143,8 +162,8 @@ MembraneState Simulation::state_at(double time) const {
   return state;
 }
 
-void Simulation::record(double time, RunOutput& output) {
-  Record now = tracker_.look(time, state_at(time).positions);
+void Simulation::record(const MembraneState& state, RunOutput& output) {
+  Record now = tracker_.look(state.kt, state.positions);
   now.iterations = std::exchange(iterations_since_record_, 0);
   now.error = last_flow_error_;
   history_.push_back(now);
@@ -171,7 +190,8 @@ std::optional<Outcome> Simulation::finished(RunOutput& output) {
   if (!case_.until.classified || hundredths(now_.kt) == hundredths(before_.kt)) return std::nullopt;
   const Verdict label = verdict();
   if (!label.steady && !label.certain) return std::nullopt;
-  if (history_.back().kt < now_.kt) record(now_.kt, output);
+  if (history_.back().kt < now_.kt) record(now_, output);
+  if (shape_times_ && !is_shown(now_.kt)) show(now_, output);
   return Outcome{label.steady ? Stop::steady : Stop::classified};
 }
 

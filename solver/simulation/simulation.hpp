@@ -55,7 +55,8 @@ class Simulation {
   explicit Simulation(const Case& c);
 
   /// The paper's algorithm, to the end or until `output` asks for an interruption. Its steps do not depend on
-  /// what is asked for: records and shapes between two steps are interpolated.
+  /// what is asked for: records and shapes between two steps are interpolated. A run that breaks down shows
+  /// its last sound state and the one that went wrong.
   Outcome run(RunOutput& output);
 
   /// Continues from a checkpoint that run() wrote; the outcome is that of the uninterrupted run to the last
@@ -83,7 +84,10 @@ class Simulation {
   void put_out(RunOutput& output);
   bool has_come(double time) const;
   MembraneState state_at(double time) const;
-  void record(double time, RunOutput& output);
+  void record(const MembraneState& state, RunOutput& output);
+  void show_breakdown(RunOutput& output);
+  bool is_shown(double time) const;
+  void show(const MembraneState& state, RunOutput& output);
   void observe();
   void save_checkpoint(RunOutput& output) const;
 

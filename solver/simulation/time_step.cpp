@@ -4,7 +4,8 @@
 
 namespace capstan {
 
-// With r = step / (step before):  x += step ((1 + r/2) u - r/2 u_before).  The step before is always a whole one.
+// With r = step / (step before):  x += step ((1 + r/2) u - r/2 u_before).  The step before is always a whole
+// one.
 StepReport AdamsBashforth2::advance(const VelocityField&, double kt, double kt_end, const Points& velocities,
                                     Points& positions) {
   constexpr double kRounding = 1e-9;  // of a step: times are sums of steps

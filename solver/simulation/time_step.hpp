@@ -31,8 +31,8 @@ class TimeStepper {
   virtual void load(const StateArchive& archive) = 0;
 };
 
-/// Second-order Adams-Bashforth (paper eq. 38), with one Euler step to start. Steps are equal but for the last one,
-/// which ends at kt_end; it needs no flow but the one at the start.
+/// Second-order Adams-Bashforth (paper eq. 38), with one Euler step to start. Steps are equal but for the
+/// last one, which ends at kt_end; it needs no flow but the one at the start.
 class AdamsBashforth2 : public TimeStepper {
  public:
   explicit AdamsBashforth2(double kdt) : kdt_(kdt) {}

@@ -23,6 +23,9 @@ class MemoryOutput : public RunOutput {
       copy.put(name, std::vector<double>(data.begin(), data.end()));
     }
   }
+  bool is_checkpoint_due(long steps) override {
+    return checkpoint_every > 0 && steps % checkpoint_every == 0;
+  }
   bool interrupted() const override { return interruption_wanted; }
 
   struct Shape {
@@ -41,6 +44,7 @@ class MemoryOutput : public RunOutput {
   History records;
   std::vector<Shape> shapes;
   std::vector<StateArchive> checkpoints;
+  int checkpoint_every = 0;
   bool interruption_wanted = false;
 };
 

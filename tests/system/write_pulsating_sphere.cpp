@@ -12,4 +12,5 @@ int main(int argc, char** argv) {
     const double kt = 0.5 * frame, radius = 1 + 0.5 * kt;
     writer.write(kt, frame, radius * directions, 0.5 * directions, 3 * radius * directions);
   }
+  writer.write_index();
 }

@@ -7,7 +7,8 @@ namespace {
 
 /// x = kt^3 - kt, y = kt^2, z = 1; forces (kt, 0, 1).
 MembraneState cubic_motion(double kt) {
-  MembraneState state{.kt = kt, .positions = Points(3, 1), .velocities = Points(3, 1), .forces = Points(3, 1)};
+  MembraneState state{
+      .kt = kt, .positions = Points(3, 1), .velocities = Points(3, 1), .forces = Points(3, 1)};
   state.positions << kt * kt * kt - kt, kt * kt, 1;
   state.velocities << 3 * kt * kt - 1, 2 * kt, 0;
   state.forces << kt, 0, 1;

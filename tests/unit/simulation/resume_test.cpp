@@ -24,6 +24,7 @@ void expect_equal(const RunStatistics& a, const RunStatistics& b) {
 /// Resumes from every checkpoint of a run and compares what comes of it.
 void expect_resumed_equals_uninterrupted(const Case& c) {
   MemoryOutput whole;
+  whole.checkpoint_every = c.outputs.checkpoint_every;
   Simulation uninterrupted(c);
   EXPECT_EQ(uninterrupted.run(whole).stop, Stop::reached_end);
   ASSERT_GE(whole.checkpoints.size(), 3u);
@@ -43,14 +44,14 @@ void expect_resumed_equals_uninterrupted(const Case& c) {
 
 TEST(Resume, QuasisteadySphereGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
-    "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 3},
+    "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 1},
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})"));
 }
 
 TEST(Resume, BiconcaveCapsuleWithBendingAndViscosityContrastGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4,
-    "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 3},
+    "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 1},
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})"));
 }
 
@@ -71,13 +72,13 @@ TEST(Resume, TransientFlowInDoublePrecisionGoesOnToTheLastBit) {
 TEST(Resume, StokesFlowWithStepsAfterTheirErrorGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4, "fluid": "stokes",
-    "until": {"kt": 2.5}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 7}, "fidelity": {"nodes": 162}})"));
+    "until": {"kt": 2.5}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 1}, "fidelity": {"nodes": 162}})"));
 }
 
 // The tolerance is met by a single cycle here, so that a start that is not the interrupted one would show.
 TEST(Resume, PapersSchemeGoesOnToTheLastBit) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
-    "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 3},
+    "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 1},
     "fidelity": {"preset": "paper", "dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.08, "tolerance": 0.01}})"));
 }
 

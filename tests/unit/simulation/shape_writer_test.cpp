@@ -25,6 +25,7 @@ class Shapes : public testing::Test {
       const double kt = 0.1 * frame;
       writer.write(kt, frame, (1 + kt) * sphere_.directions, sphere_.directions, -sphere_.directions);
     }
+    writer.write_index();
   }
 
   std::string index() const { return file_bytes(directory_.path() / "shapes.xdmf2"); }

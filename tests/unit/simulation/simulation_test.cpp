@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <tuple>
 
 #include "solver/simulation/result.hpp"
 #include "tests/support/memory_output.hpp"
@@ -76,6 +77,30 @@ TEST(Simulation, TooLargeATimeStepStopsWithItsTimeAndReasonAndKeepsTheHistory) {
     EXPECT_EQ(output.records, simulation.history());
     EXPECT_LT(simulation.history().back().kt, 20);
   }
+}
+
+TEST(Simulation, ThatBreaksDownShowsItsLastSoundStateAndWhatCameOfItEvenWithoutShapes) {
+  Case c = stiff_case(0.2);
+  c.outputs.shapes_every = 0;
+  MemoryOutput output;
+  Simulation simulation(c);
+  EXPECT_EQ(simulation.run(output).stop, Stop::diverged);
+  ASSERT_EQ(output.shapes.size(), 2u);
+  const auto& [sound, wrong] = std::tie(output.shapes[0], output.shapes[1]);
+  EXPECT_EQ(sound.frame, 0);
+  EXPECT_EQ(wrong.frame, 1);
+  EXPECT_EQ(sound.kt, output.records.back().kt);
+  EXPECT_DOUBLE_EQ(wrong.kt - sound.kt, 0.2);
+  EXPECT_NE(sound.positions, wrong.positions);
+}
+
+TEST(Simulation, ThatEndsBeforeItsTimeShowsTheShapeOfItsLastRecord) {
+  MemoryOutput output;
+  Simulation simulation(parsed_case(R"({"Ca": 0.05, "fluid": "stokes", "fidelity": {"nodes": 162},
+    "until": {"kt": 30, "classified": true}, "outputs": {"shapes_every": 2.35}})"));
+  EXPECT_NE(simulation.run(output).stop, Stop::reached_end);
+  ASSERT_LT(output.records.back().kt, 20);
+  EXPECT_EQ(output.shapes.back().kt, output.records.back().kt);
 }
 
 TEST(Simulation, FlowThatDoesNotConvergeIsAnOutcome) {
