@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -253,19 +254,26 @@ Action declare_why(CLI::App& command) {
 Action declare_solve(CLI::App& command, const Physics& physics) {
   struct Arguments {
     std::filesystem::path file, out;
+    double wall_seconds = std::numeric_limits<double>::infinity();
     bool json = false;
   };
   auto arguments = std::make_shared<Arguments>();
   command.add_option("CASE", arguments->file, "the case (schema/case.schema.json); - is standard input")
       ->required();
   command.add_option("--out", arguments->out, "the run directory; made if it is not there")->required();
+  command
+      .add_option(
+          "--wall-time", arguments->wall_seconds,
+          "seconds after which it stops with a checkpoint (exit code 75); without it, it runs to its end")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
   command.add_flag("--json", arguments->json, "print the run's result.json at the end");
   command.footer(
       "A run that was killed goes on where it stood when the same command is given again.\n"
       "Example:\n  capstan solve case.json --out runs/first\n");
   return [arguments, solve = physics.solve] {
     end_with_daemon();
-    const int code = solve(arguments->file, arguments->out);
+    const int code = solve(arguments->file, arguments->out, arguments->wall_seconds);
     if (arguments->json && (code == kExitDone || code == kExitNoAnswer))
       std::cout << read_input(RunDirectory(arguments->out).result_file());
     return code;

@@ -20,8 +20,10 @@ struct Benchmark {
 /// The commands that need the physics, which the rest of the program does not know. Each returns its exit
 /// code.
 struct Physics {
-  /// `capstan solve`: one case in its directory
-  std::function<int(const std::filesystem::path& case_file, const std::filesystem::path& out)> solve;
+  /// `capstan solve`: one case in its directory, for so many seconds
+  std::function<int(const std::filesystem::path& case_file, const std::filesystem::path& out,
+                    double wall_seconds)>
+      solve;
   /// `capstan compare`: the fluid models on the same cases
   std::function<int(const std::vector<std::filesystem::path>& case_files, bool json)> compare = nullptr;
   /// `capstan estimate`: what a study costs on this machine; the study file is valid

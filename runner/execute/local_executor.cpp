@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <spawn.h>
-#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "runner/execute/directory_lock.hpp"
 #include "runner/execute/exit_code.hpp"
 #include "runner/execute/stop_signals.hpp"
 
@@ -29,28 +29,6 @@ void check(int code, const std::string& operation) {
   if (code != 0) throw std::system_error(code, std::generic_category(), operation);
 }
 
-/// The right to work in a run directory. A process that is started inherits it, and the kernel takes it back
-/// when the last process that has it ends: no record of ours can be wrong about that, whoever was killed
-/// when.
-class DirectoryLock {
- public:
-  explicit DirectoryLock(const RunDirectory& directory)
-      : descriptor_(open(directory.lock_file().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-    if (descriptor_ < 0)
-      throw std::system_error(errno, std::generic_category(),
-                              "cannot open " + directory.lock_file().string());
-  }
-  ~DirectoryLock() { close(descriptor_); }
-  DirectoryLock(const DirectoryLock&) = delete;
-  DirectoryLock& operator=(const DirectoryLock&) = delete;
-
-  bool take() { return flock(descriptor_, LOCK_EX | LOCK_NB) == 0; }
-  int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
 /// Nothing to read, all output into the log, the lock, and no other descriptor: above all no client's
 /// connection.
 class FileActions {
@@ -60,8 +38,8 @@ class FileActions {
     posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, 1, log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
     posix_spawn_file_actions_adddup2(&actions_, 1, 2);
-    posix_spawn_file_actions_adddup2(&actions_, lock, 3);
-    posix_spawn_file_actions_addclosefrom_np(&actions_, 4);
+    posix_spawn_file_actions_adddup2(&actions_, lock, DirectoryLock::kInheritedDescriptor);
+    posix_spawn_file_actions_addclosefrom_np(&actions_, DirectoryLock::kInheritedDescriptor + 1);
   }
   ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
   FileActions(const FileActions&) = delete;
@@ -140,7 +118,7 @@ LocalExecutor::LocalExecutor(std::filesystem::path program) : program_(std::move
 
 RunHandle LocalExecutor::start(const RunDirectory& directory) {
   DirectoryLock lock(directory);
-  if (!lock.take()) check(EBUSY, "an earlier process still works in " + directory.path().string());
+  if (!lock.take()) check(EBUSY, "another process computes in " + directory.path().string());
   std::vector<std::string> words = {"capstan", "solve", directory.case_file(), "--out", directory.path()};
   std::vector<std::string> environment = worker_environment();
   pid_t pid = 0;

@@ -5,8 +5,8 @@
 
 namespace capstan {
 
-/// The daemon sends SIGTERM, a terminal SIGINT, Slurm SIGUSR1 (--signal=USR1).
-inline constexpr std::array kStopSignals = {SIGTERM, SIGINT, SIGUSR1};
+/// The daemon sends SIGTERM, a terminal SIGINT, one that is closed SIGHUP, Slurm SIGUSR1 (--signal=USR1).
+inline constexpr std::array kStopSignals = {SIGTERM, SIGINT, SIGHUP, SIGUSR1};
 
 inline sigset_t stop_signals() {
   sigset_t signals;

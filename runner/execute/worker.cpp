@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "runner/execute/case_file.hpp"
+#include "runner/execute/directory_lock.hpp"
 #include "runner/execute/exit_code.hpp"
 #include "runner/execute/stop_signals.hpp"
 #include "solver/case/case_warnings.hpp"
@@ -22,8 +23,11 @@ namespace {
 
 volatile std::sig_atomic_t interruption_wanted = 0;
 
+/// Who starts the run with SIGHUP ignored, as nohup does, wants it to go on when the terminal is closed.
 void checkpoint_on_signals() {
-  for (const int signal : kStopSignals) std::signal(signal, [](int) { interruption_wanted = 1; });
+  for (const int signal : kStopSignals)
+    if (std::signal(signal, [](int) { interruption_wanted = 1; }) == SIG_IGN && signal == SIGHUP)
+      std::signal(signal, SIG_IGN);
   unblock_stop_signals();
 }
 
@@ -57,8 +61,10 @@ class Progress {
 
 class Worker : public RunRecorder {
  public:
-  Worker(const std::filesystem::path& out, const Case& c, const Choices& choices)
-      : RunRecorder(out, c, choices, [] { return interruption_wanted != 0; }), progress_(c.until.kt) {}
+  Worker(const std::filesystem::path& out, const Case& c, const Choices& choices, double end_seconds)
+      : RunRecorder(out, c, choices,
+                    [=] { return interruption_wanted != 0 || steady_seconds() > end_seconds; }),
+        progress_(c.until.kt) {}
 
   void record(const Record& record) override {
     RunRecorder::record(record);
@@ -83,24 +89,30 @@ int exit_code_of(const Outcome& outcome) {
 
 /// A directory belongs to one case: the first that ran there.
 bool claim_directory(const std::filesystem::path& out, const Case& c) {
-  std::filesystem::create_directories(out);
   const std::filesystem::path mark = out / "case.json";
   if (!std::filesystem::exists(mark)) write_durably(mark, to_json(c).dump(2) + "\n");
   const ParsedCase there = read_case(mark);
   return there.value && case_id(*there.value) == case_id(c);
 }
 
-int solve(const std::filesystem::path& case_file, const std::filesystem::path& out) {
+int solve(const std::filesystem::path& case_file, const std::filesystem::path& out, double end_seconds) {
   const ParsedCase parsed = read_case(case_file);
   print_faults(case_file, parsed.issues);
   if (!parsed.value) return kExitInvalidInput;
+  std::filesystem::create_directories(out);
+  DirectoryLock lock = DirectoryLock::inherited_or_new(RunDirectory(out));
+  if (!lock.take()) {
+    std::cerr << "another process computes in " << out.string()
+              << ": wait for its end, stop it, or choose another directory\n";
+    return kExitError;
+  }
   if (!claim_directory(out, *parsed.value)) {
     std::cerr << out.string() << " holds the run of another case: choose another directory\n";
     return kExitInvalidInput;
   }
   for (const Choice& choice : parsed.choices) std::cerr << in_words(choice) << "\n";
   for (const std::string& warning : case_warnings(*parsed.value)) std::cerr << "warning: " << warning << "\n";
-  Worker worker(out, *parsed.value, parsed.choices);
+  Worker worker(out, *parsed.value, parsed.choices, end_seconds);
   Simulation simulation(*parsed.value);
   worker.resume(simulation, [](const std::string& line) { std::cerr << line << "\n"; });
   const Outcome outcome = simulation.run(worker);
@@ -108,17 +120,19 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
             << (outcome.message.empty() ? "" : ": " + outcome.message) << "\n";
   if (const Verdict label = simulation.verdict(); has_answer(outcome.stop))
     std::cerr << word(label.motion) << ": " << label.explanation << "\n";
-  if (outcome.stop != Stop::interrupted) worker.finish(simulation, outcome);
+  worker.finish(simulation, outcome);
   return exit_code_of(outcome);
 }
 
 }  // namespace
 
-int solve_case(const std::filesystem::path& case_file, const std::filesystem::path& out) {
+int solve_case(const std::filesystem::path& case_file, const std::filesystem::path& out,
+               double wall_seconds) {
+  const double end_seconds = steady_seconds() + wall_seconds;
   checkpoint_on_signals();
   use_one_core_by_default();
   try {
-    return solve(case_file, out);
+    return solve(case_file, out, end_seconds);
   } catch (const std::exception& error) {
     std::cerr << "capstan solve: " << error.what() << "\n";
     return kExitError;

@@ -90,7 +90,7 @@ int complete(const std::filesystem::path& out, double until, double Ca) {
 
 bool is_coarse(const ordered_json& input) { return input["fidelity"]["nodes"] <= 642; }
 
-int solve(const std::filesystem::path& case_file, const std::filesystem::path& out) {
+int solve(const std::filesystem::path& case_file, const std::filesystem::path& out, double) {
   const ordered_json input = ordered_json::parse(std::ifstream(case_file));
   const double V = input["V"];
   const double until = input["until"]["kt"];

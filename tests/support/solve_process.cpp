@@ -24,16 +24,19 @@ int watch_files_of(const std::filesystem::path& directory) {
   return watch;
 }
 
-pid_t start(const std::filesystem::path& case_file, const std::filesystem::path& directory) {
-  std::string words[] = {"capstan", "solve", case_file, "--out", directory};
-  char* arguments[] = {words[0].data(), words[1].data(), words[2].data(),
-                       words[3].data(), words[4].data(), nullptr};
+pid_t start(const std::filesystem::path& case_file, const std::filesystem::path& directory,
+            const std::vector<std::string>& options) {
+  std::vector<std::string> words = {"capstan", "solve", case_file, "--out", directory};
+  words.insert(words.end(), options.begin(), options.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 2, (directory.string() + ".log").c_str(),
                                    O_WRONLY | O_CREAT | O_APPEND, 0600);
   pid_t pid = 0;
-  const int failed = posix_spawn(&pid, CAPSTAN_PROGRAM, &actions, nullptr, arguments, environ);
+  const int failed = posix_spawn(&pid, CAPSTAN_PROGRAM, &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed) throw std::runtime_error("cannot start " CAPSTAN_PROGRAM);
   return pid;
@@ -51,9 +54,10 @@ int events_in(int watch) {
 
 }  // namespace
 
-SolveProcess::SolveProcess(const std::filesystem::path& case_file, const std::filesystem::path& directory)
+SolveProcess::SolveProcess(const std::filesystem::path& case_file, const std::filesystem::path& directory,
+                           const std::vector<std::string>& options)
     : watch_(watch_files_of(directory)) {
-  pid_ = start(case_file, directory);
+  pid_ = start(case_file, directory, options);
   lifetime_ = static_cast<int>(syscall(SYS_pidfd_open, pid_, 0));
 }
 

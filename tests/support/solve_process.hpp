@@ -3,13 +3,16 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace capstan {
 
-/// `capstan solve CASE --out DIRECTORY`, started at once; what it says goes to DIRECTORY.log.
+/// `capstan solve CASE --out DIRECTORY OPTIONS`, started at once; what it says goes to DIRECTORY.log.
 class SolveProcess {
  public:
-  SolveProcess(const std::filesystem::path& case_file, const std::filesystem::path& directory);
+  SolveProcess(const std::filesystem::path& case_file, const std::filesystem::path& directory,
+               const std::vector<std::string>& options = {});
   ~SolveProcess();
   SolveProcess(const SolveProcess&) = delete;
   SolveProcess& operator=(const SolveProcess&) = delete;

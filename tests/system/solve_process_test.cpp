@@ -18,6 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
+/// A cell by boundary integrals with a checkpoint each step, some tenths of a second.
+const char* const kQuick =
+    R"({"shape": "biconcave", "law": "skalak", "C": 5, "fluid": "stokes", "Ca": 0.2, "V": 2,
+  "fidelity": {"nodes": 162}, "until": {"kt": 6}, "outputs": {"history_every": 0.1, "checkpoint_every": 1}})";
+
 class SolveTest : public testing::Test {
  protected:
   fs::path write_case(const std::string& text) {
@@ -81,7 +86,7 @@ TEST_F(SolveTest, KilledAgainAndAgainItGivesTheSameHistoryAndResult) {
 TEST_F(SolveTest, TerminatedItExitsWith75AndGoesOnWhereItStood) {
   const fs::path case_file = cell();
   ASSERT_EQ(solve(case_file, "undisturbed"), 0);
-  for (int signal : {SIGTERM, SIGUSR1}) {
+  for (int signal : {SIGTERM, SIGUSR1, SIGHUP}) {
     SolveProcess process(case_file, directory("terminated"));
     process.wait_for_writes(40);
     process.send(signal);
@@ -90,6 +95,50 @@ TEST_F(SolveTest, TerminatedItExitsWith75AndGoesOnWhereItStood) {
   }
   EXPECT_EQ(solve(case_file, "terminated"), 0);
   expect_same_answer("terminated", "undisturbed");
+}
+
+TEST_F(SolveTest, AtItsWallTimeItExitsWith75AndGoesOnWhereItStood) {
+  const fs::path case_file = write_case(kQuick);
+  for (int attempt = 0; attempt < 2; ++attempt)
+    EXPECT_EQ(SolveProcess(case_file, directory("limited"), {"--wall-time", "1e-9"}).wait(), 75);
+  EXPECT_THAT(log("limited"), HasSubstr("resumed at step 1\n"));
+  ASSERT_EQ(solve(case_file, "limited"), 0);
+  EXPECT_THAT(log("limited"), HasSubstr("resumed at step 2\n"));
+  ASSERT_EQ(solve(case_file, "undisturbed"), 0);
+  expect_same_answer("limited", "undisturbed");
+}
+
+// nohup starts it like that.
+TEST_F(SolveTest, ClosedTerminalDoesNotStopItWhereThatSignalIsIgnored) {
+  const fs::path case_file = write_case(kQuick);
+  std::signal(SIGHUP, SIG_IGN);
+  SolveProcess process(case_file, directory("nohup"));
+  std::signal(SIGHUP, SIG_DFL);
+  process.wait_for_writes(20);
+  process.send(SIGHUP);
+  EXPECT_EQ(process.wait(), 0);
+}
+
+TEST_F(SolveTest, SecondOneInADirectoryIsRefusedAndTheFirstIsNotDisturbed) {
+  const fs::path case_file = write_case(kQuick);
+  SolveProcess first(case_file, directory("shared"));
+  first.wait_for_writes(20);
+  first.send(SIGSTOP);
+  EXPECT_EQ(solve(case_file, "shared"), 1);
+  EXPECT_THAT(log("shared"), HasSubstr("another process computes in " + directory("shared").string()));
+  first.send(SIGCONT);
+  EXPECT_EQ(first.wait(), 0);
+  ASSERT_EQ(solve(case_file, "undisturbed"), 0);
+  expect_same_answer("shared", "undisturbed");
+}
+
+TEST_F(SolveTest, DirectoryOfAKilledOneIsFree) {
+  const fs::path case_file = write_case(kQuick);
+  SolveProcess first(case_file, directory("killed"));
+  first.wait_for_writes(20);
+  first.send(SIGKILL);
+  EXPECT_EQ(first.wait(), -SIGKILL);
+  EXPECT_EQ(solve(case_file, "killed"), 0);
 }
 
 TEST_F(SolveTest, InvalidCaseExitsWithTwoAndSaysAllFaults) {
@@ -115,11 +164,6 @@ TEST_F(SolveTest, DivergingCaseExitsWithThreeAndItsResultSaysWhatAndWhen) {
   EXPECT_THAT(result("diverging")["message"].get<std::string>(), HasSubstr("at kt = "));
   EXPECT_FALSE(history("diverging").empty());
 }
-
-/// A cell by boundary integrals with a checkpoint each other step, some tenths of a second.
-const char* const kQuick =
-    R"({"shape": "biconcave", "law": "skalak", "C": 5, "fluid": "stokes", "Ca": 0.2, "V": 2,
-  "fidelity": {"nodes": 162}, "until": {"kt": 6}, "outputs": {"history_every": 0.1, "checkpoint_every": 1}})";
 
 class SolveOnASmallDisk : public SolveTest {
  protected:
