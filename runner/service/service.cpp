@@ -303,15 +303,19 @@ void Service::feel_pulse(Run& run) {
   if (run.still_beats >= JobQueue::kHeartbeats) kill(run);
 }
 
+/// A run that takes too much memory is killed; one that takes too long may write a checkpoint, from which a
+/// retry goes on.
 void Service::hold_to_limits(Run& run) {
-  if (!run.beyond.empty()) return;
   const auto usage = limits_.memory_mb > 0 ? executor_.usage(run.claim.handle) : std::nullopt;
-  if (usage && usage->memory_mb > limits_.memory_mb)
+  if (run.beyond.empty() && usage && usage->memory_mb > limits_.memory_mb) {
     run.beyond =
         "it took " + whole(usage->memory_mb) + " MB of memory; the limit is " + whole(limits_.memory_mb);
-  if (limits_.wall_time.count() > 0 && clock_.elapsed() - run.started > limits_.wall_time)
+    kill(run);
+  }
+  if (limits_.wall_time.count() <= 0 || clock_.elapsed() - run.started <= limits_.wall_time) return;
+  if (run.beyond.empty())
     run.beyond = "it took longer than the limit of " + std::to_string(limits_.wall_time.count()) + " s";
-  if (!run.beyond.empty()) kill(run);
+  ask_to_stop(run);
 }
 
 /// A result stands, however its run ended. Else the daemon's own reasons to end a run go before what the

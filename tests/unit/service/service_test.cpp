@@ -8,6 +8,7 @@
 #include <random>
 #include <thread>
 
+#include "runner/execute/exit_code.hpp"
 #include "runner/queue/schema.hpp"
 #include "runner/results/why.hpp"
 #include "solver/case/run_cost.hpp"
@@ -240,15 +241,32 @@ TEST_F(ServiceTest, CaseThatTakesTooMuchMemoryFailsAndSaysHowMuch) {
   EXPECT_EQ(cases(id)[0]["message"], "it took 200 MB of memory; the limit is 100");
 }
 
-TEST_F(ServiceTest, CaseThatTakesTooLongFails) {
+TEST_F(ServiceTest, CaseThatTakesTooLongIsAskedForACheckpointAndFails) {
   limits_.wall_time = 1h;
   restart();
   const std::string id = submit({{"Ca", {0.25}}});
   clock_.advance(1h + 1s);
   service_->tick();
+  EXPECT_EQ(cases(id)[0]["state"], "running");
+  ASSERT_EQ(executor_.asked_to_stop.size(), 1u);
+  executor_.end(executor_.asked_to_stop.front(), {RunEnd::How::exited, kExitInterrupted});
+  service_->tick();
   EXPECT_EQ(cases(id)[0]["state"], "failed");
   EXPECT_EQ(cases(id)[0]["message"], "it took longer than the limit of 3600 s");
   EXPECT_EQ(cases(id)[0]["crashes"], 0);
+}
+
+TEST_F(ServiceTest, CaseThatTakesTooLongAndDoesNotStopIsKilledAndFails) {
+  limits_.wall_time = 1h;
+  restart();
+  const std::string id = submit({{"Ca", {0.25}}});
+  for (auto passed : {3601s, 9s}) {
+    clock_.advance(passed);
+    service_->tick();
+  }
+  EXPECT_EQ(executor_.killed.size(), 1u);
+  EXPECT_EQ(cases(id)[0]["state"], "failed");
+  EXPECT_EQ(cases(id)[0]["message"], "it took longer than the limit of 3600 s");
 }
 
 TEST_F(ServiceTest, ClockThatJumpsCostsNoRun) {
