@@ -14,9 +14,9 @@ std::string key_of(const std::string& case_pointer) {
 
 }  // namespace
 
-void DroppedKeys::count_point(const std::vector<std::size_t>& indices) {
+void DroppedKeys::count_point(const std::vector<AxisValue>& values) {
   ++points_;
-  for (std::size_t axis = 0; axis < indices.size(); ++axis) ++points_with_[{axis, indices[axis]}];
+  for (const AxisValue& value : values) ++points_with_[value];
 }
 
 void DroppedKeys::add(const Issue& issue, const std::string& pointer, const std::optional<AxisValue>& axis) {

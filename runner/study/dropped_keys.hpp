@@ -17,9 +17,8 @@ class DroppedKeys {
   /// Which value of which axis: "axis 1, value 3".
   using AxisValue = std::pair<std::size_t, std::size_t>;
 
-  /// A point whose case is read.
-  /// \param indices  the value of each axis there
-  void count_point(const std::vector<std::size_t>& indices);
+  /// A point whose case is read, with the values that stand there of axes that are lists.
+  void count_point(const std::vector<AxisValue>& values);
 
   /// A key that was taken out of that case.
   /// \param pointer  where it stands in the study  \param axis  the value of an axis that it stands in, if

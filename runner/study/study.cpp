@@ -61,7 +61,8 @@ void spell_numbers_alike(json& value) {
     for (json& inner : value) spell_numbers_alike(inner);
   if (!value.is_number_float()) return;
   const double number = value;
-  if (number == std::floor(number) && std::abs(number) <= kLargestWhole) value = static_cast<std::int64_t>(number);
+  if (number == std::floor(number) && std::abs(number) <= kLargestWhole)
+    value = static_cast<std::int64_t>(number);
 }
 
 /// So that a mistyped key is one fault, and what it was meant to be is not missing.
@@ -203,7 +204,7 @@ class StudyReader {
 
   /// Drops the keys that have no effect at this point.
   ParsedCase read_with_effect(json& flat, const std::vector<Axis>& axes, const AxisIndices& indices) {
-    dropped_.count_point(indices);
+    dropped_.count_point(listed_values(axes, indices));
     const auto is_useless = [](const Issue& issue) { return issue.without_effect; };
     ParsedCase parsed = parse_case(flat);
     for (; std::any_of(parsed.issues.begin(), parsed.issues.end(), is_useless); parsed = parse_case(flat))
@@ -215,7 +216,16 @@ class StudyReader {
     return parsed;
   }
 
-  /// The value of an axis that the issue concerns, unless the axis is a range, whose values have one pointer.
+  /// The values of the axes that are lists; those of a range have one pointer together.
+  static std::vector<DroppedKeys::AxisValue> listed_values(const std::vector<Axis>& axes,
+                                                           const AxisIndices& indices) {
+    std::vector<DroppedKeys::AxisValue> values;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+      if (axes[axis].is_list()) values.emplace_back(axis, indices[axis]);
+    return values;
+  }
+
+  /// The value of such an axis that the issue concerns.
   static std::optional<DroppedKeys::AxisValue> axis_value(const Issue& issue, const std::vector<Axis>& axes,
                                                           const AxisIndices& indices) {
     const auto axis = axis_of(issue.pointer, axes);
@@ -247,7 +257,8 @@ class StudyReader {
 json Study::asked_at(std::size_t point) const {
   json asked = document["base"];
   const AxisIndices indices = axis_indices(axes, point);
-  for (std::size_t axis = 0; axis < axes.size(); ++axis) asked[axes[axis].parameter()] = axes[axis].value(indices[axis]);
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    asked[axes[axis].parameter()] = axes[axis].value(indices[axis]);
   for (const char* key : {"until", "outputs"}) asked.erase(key);
   return asked;
 }
