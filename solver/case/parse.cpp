@@ -20,6 +20,7 @@ using nlohmann::json;
 struct Range {
   double low, high;
   bool low_is_open = false;
+  const char* of = "";  ///< whose bounds they are, where that depends on another key
 };
 
 /// Takes keys out of one JSON object, collecting what is wrong with them; `finish` reports the keys left over.
@@ -46,7 +47,7 @@ class ObjectReader {
     const bool too_low = range.low_is_open ? !(given > range.low) : !(given >= range.low);
     if (!std::isfinite(given) || too_low || given > range.high)
       return fault(key, "is " + shown(given) + ", must be " + (range.low_is_open ? "> " : ">= ") + shown(range.low) +
-                            " and <= " + shown(range.high));
+                            " and <= " + shown(range.high) + range.of);
     value = given + 0.0;  // -0.0 is 0
   }
 
@@ -151,9 +152,9 @@ void read_shape(ObjectReader& reader, Case& c) {
     if (!reader.is_faulty("shape"))
       reader.fault("aspect", "is missing: the axis of revolution over the equatorial axis (b/a)");
   } else if (c.shape == Shape::oblate) {
-    reader.number("aspect", c.aspect, {0.1, 1});
+    reader.number("aspect", c.aspect, {0.1, 1, false, " for an oblate shape"});
   } else {
-    reader.number("aspect", c.aspect, {1, 5});
+    reader.number("aspect", c.aspect, {1, 5, false, " for a prolate shape"});
   }
 }
 

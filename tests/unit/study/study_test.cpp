@@ -112,48 +112,60 @@ json conditional(const char* base, const char* axes) {
 }
 
 TEST(Study, KeyWithoutEffectAtSomePointsIsDroppedThereAndThatIsSaid) {
-  const auto laws = parse_study(conditional(R"({"Ca": 0.1, "C": 5})", R"({"law": ["neo-hookean", "skalak"]})")).value;
+  const auto laws =
+      parse_study(conditional(R"({"Ca": 0.1, "C": 5})", R"({"law": ["neo-hookean", "skalak"]})")).value;
   ASSERT_TRUE(laws);
   EXPECT_EQ(laws->cases.size(), 2u);
   EXPECT_EQ(laws->cases[1].C, 5);
-  EXPECT_THAT(laws->notes, Contains("C is dropped at 1 of 2 points, where it has no effect: only the skalak law has "
-                                    "the constant C"));
+  EXPECT_THAT(laws->notes,
+              Contains("C is dropped at 1 of 2 points, where it has no effect: only the skalak law has "
+                       "the constant C"));
   for (const auto& [base, axes, cases] :
        {std::tuple{R"({"Ca": 0.1})", R"({"law": ["neo-hookean", "skalak"], "C": [0, 1, 10]})", 4u},
-        {R"({"Ca": 0.1})", R"({"law": ["neo-hookean", "skalak"], "C": {"from": 0, "to": 10, "count": 3}})", 4u},
+        {R"({"Ca": 0.1})", R"({"law": ["neo-hookean", "skalak"], "C": {"from": 0, "to": 10, "count": 3}})",
+         4u},
         {R"({"Ca": 0.1, "aspect": 0.6})", R"({"shape": ["sphere", "oblate", "biconcave"]})", 3u},
-        {R"({"Ca": 0.1, "c0": 2, "bending": "variational"})", R"({"E_b": {"from": 0, "to": 0.02, "count": 5}})", 5u},
+        {R"({"Ca": 0.1, "c0": 2, "bending": "variational"})",
+         R"({"E_b": {"from": 0, "to": 0.02, "count": 5}})", 5u},
         {R"({"Ca": 0.1})", R"({"E_b": [0, 0.01], "c0": ["initial", "uniform", 1]})", 4u},
-        {R"({"Ca": 0.1, "fidelity": {"preset": "fast", "dx": 0.1}})", R"({"fluid": ["stokes", "quasisteady"]})", 2u},
-        {R"({"Ca": 0.1, "fidelity": {"box": 6.4}})", R"({"fluid": ["stokes", "quasisteady", "transient"]})", 3u},
+        {R"({"Ca": 0.1, "fidelity": {"preset": "fast", "dx": 0.1}})",
+         R"({"fluid": ["stokes", "quasisteady"]})", 2u},
+        {R"({"Ca": 0.1, "fidelity": {"box": 6.4}})", R"({"fluid": ["stokes", "quasisteady", "transient"]})",
+         3u},
         {R"({"Ca": 0.1, "fidelity": {"kdt": 0.01}})", R"({"fluid": ["quasisteady", "transient"]})", 2u},
         {R"({"Ca": 0.1, "fluid": "stokes", "fidelity": {"tolerance": 1e-5}})", R"({"V": [1, 4]})", 2u}}) {
     const ParsedStudy parsed = parse_study(conditional(base, axes));
-    ASSERT_TRUE(parsed.value) << axes << " " << parsed.issues.at(0).pointer << " " << parsed.issues.at(0).message;
+    ASSERT_TRUE(parsed.value) << axes << " " << parsed.issues.at(0).pointer << " "
+                              << parsed.issues.at(0).message;
     EXPECT_EQ(parsed.value->cases.size(), cases) << axes;
     EXPECT_THAT(parsed.value->notes, Contains(HasSubstr("is dropped at"))) << axes;
   }
 }
 
 TEST(Study, KeyWithoutEffectAtEveryPointIsAFault) {
-  EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1, "C": 5})", R"({"law": ["neo-hookean"]})")), ElementsAre("/base/C"));
+  EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1, "C": 5})", R"({"law": ["neo-hookean"]})")),
+              ElementsAre("/base/C"));
   EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1, "c0": 5})", R"({"V": [1, 2]})")), ElementsAre("/base/c0"));
-  EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1})", R"({"C": [5, 6]})")), ElementsAre("/axes/C/0", "/axes/C/1"));
+  EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1})", R"({"C": [5, 6]})")),
+              ElementsAre("/axes/C/0", "/axes/C/1"));
   EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1})", R"({"aspect": {"from": 0.3, "to": 0.6, "count": 3}})")),
               ElementsAre("/axes/aspect"));
-  EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1})",
-                                    R"({"fluid": ["stokes"], "fidelity": ["fast", {"preset": "fast", "dx": 0.1}]})")),
-              ElementsAre("/axes/fidelity/1/dx"));
+  EXPECT_THAT(
+      faults_of(conditional(R"({"Ca": 0.1})",
+                            R"({"fluid": ["stokes"], "fidelity": ["fast", {"preset": "fast", "dx": 0.1}]})")),
+      ElementsAre("/axes/fidelity/1/dx"));
 }
 
 TEST(Study, KeyThatAPointNeedsMustBeThere) {
-  EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1})", R"({"law": ["neo-hookean", "skalak"]})")), ElementsAre("/base/C"));
+  EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1})", R"({"law": ["neo-hookean", "skalak"]})")),
+              ElementsAre("/base/C"));
   EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1})", R"({"shape": ["sphere", "oblate"]})")),
               ElementsAre("/base/aspect"));
 }
 
 TEST(Study, WhatTheSolverChoosesIsSaid) {
-  const auto study = parse_study(conditional("{}", R"({"Ca": [0.1, 0.2], "fluid": ["auto", "stokes"]})")).value;
+  const auto study =
+      parse_study(conditional("{}", R"({"Ca": [0.1, 0.2], "fluid": ["auto", "stokes"]})")).value;
   ASSERT_TRUE(study);
   EXPECT_THAT(study->notes, Contains(HasSubstr("at 2 of 4 points fluid: auto became stokes: ")));
 }
@@ -166,10 +178,20 @@ TEST(Study, DoubtfulSettingsAreSaidBeforeTheRun) {
   EXPECT_THAT(study->notes, Contains(HasSubstr("at 1 of 4 points warning: V = 10 on a lattice of dx = 0.2")));
 }
 
+TEST(Study, ValueThatIsValidForAnotherShapeAloneSaysForWhich) {
+  const ParsedStudy parsed =
+      parse_study(conditional(R"({"Ca": 0.1})", R"({"shape": ["oblate", "prolate"], "aspect": [0.5, 2]})"));
+  EXPECT_THAT(
+      parsed.issues,
+      UnorderedElementsAre(Field(&Issue::message, "is 2, must be >= 0.1 and <= 1 for an oblate shape"),
+                           Field(&Issue::message, "is 0.5, must be >= 1 and <= 5 for a prolate shape")));
+}
+
 TEST(Study, OneStudyInTwoSpellingsIsOneDocument) {
   const auto document = [](const char* text) { return parse_study_text(text).value.value().document.dump(); };
-  EXPECT_EQ(document(R"({"name": "a", "base": {"Ca": 0.5, "V": 4, "E_b": 1}, "axes": {"c0": [0, 1]}})"),
-            document(R"({"name": "a", "base": {"Ca": 5e-1, "V": 4.0, "E_b": 1.0}, "axes": {"c0": [-0.0, 1.0]}})"));
+  EXPECT_EQ(
+      document(R"({"name": "a", "base": {"Ca": 0.5, "V": 4, "E_b": 1}, "axes": {"c0": [0, 1]}})"),
+      document(R"({"name": "a", "base": {"Ca": 5e-1, "V": 4.0, "E_b": 1.0}, "axes": {"c0": [-0.0, 1.0]}})"));
 }
 
 TEST(Study, FaultyValuesThatAreEqualAreOneFault) {
@@ -190,14 +212,16 @@ std::vector<json> values_of(const std::string& parameter, const json& range) {
   Issues issues;
   const auto axis = read_axis(parameter, range, issues);
   std::vector<json> values;
-  for (std::size_t i = 0; axis && static_cast<double>(i) < axis->size(); ++i) values.push_back(axis->value(i));
+  for (std::size_t i = 0; axis && static_cast<double>(i) < axis->size(); ++i)
+    values.push_back(axis->value(i));
   return values;
 }
 
 TEST(Study, RangeThroughZeroContainsZero) {
   EXPECT_THAT(values_of("c0", range(-0.3, 0.6, 10)),
               ElementsAre(-0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6));
-  for (const auto& [from, to, count] : {std::tuple{-1., 1., 201}, {-0.7, 0.7, 15}, {-3e-7, 6e-7, 10}, {-100., 200., 31}}) {
+  for (const auto& [from, to, count] :
+       {std::tuple{-1., 1., 201}, {-0.7, 0.7, 15}, {-3e-7, 6e-7, 10}, {-100., 200., 31}}) {
     const std::vector<json> values = values_of("c0", range(from, to, count));
     EXPECT_THAT(values, Contains(0.0)) << from;
     for (const json& value : values)
@@ -213,7 +237,8 @@ TEST(Study, RangeHasAsManyDigitsAsTellItsValuesApart) {
     const std::vector<json> values = values_of("V", range(1, 1 + width, 12));
     ASSERT_EQ(values.size(), 12u) << width;
     for (std::size_t i = 1; i < 12; ++i)
-      EXPECT_NEAR(values[i].get<double>() - values[i - 1].get<double>(), width / 11, 0.1 * width / 11) << width;
+      EXPECT_NEAR(values[i].get<double>() - values[i - 1].get<double>(), width / 11, 0.1 * width / 11)
+          << width;
   }
 }
 
