@@ -193,16 +193,17 @@ class StudyReader {
         left_out.insert(axes[axis].parameter());
       else
         flat[axes[axis].parameter()] = axes[axis].value(indices[axis]);
-    const ParsedCase parsed = read_with_effect(flat, axes, indices);
+    const ParsedCase parsed = left_out.empty() ? read_with_effect(flat, axes, indices) : parse_case(flat);
     for (const Issue& issue : parsed.issues)
-      if (!left_out.contains(first_token(issue.pointer))) add_case_fault(issue, base, axes, indices);
+      if (!left_out.contains(first_token(issue.pointer)) && !issue.without_effect)
+        add_case_fault(issue, base, axes, indices);
     for (const Choice& choice : parsed.choices) ++choices_[in_words(choice)];
     if (parsed.value)
       for (const std::string& warning : case_warnings(*parsed.value)) ++warnings_["warning: " + warning];
     return parsed.value;
   }
 
-  /// Drops the keys that have no effect at this point.
+  /// Drops the keys that have no effect at this point. Where a faulty value is left out nobody knows which have.
   ParsedCase read_with_effect(json& flat, const std::vector<Axis>& axes, const AxisIndices& indices) {
     dropped_.count_point(listed_values(axes, indices));
     const auto is_useless = [](const Issue& issue) { return issue.without_effect; };

@@ -163,6 +163,10 @@ TEST(Study, KeyThatAPointNeedsMustBeThere) {
               ElementsAre("/base/aspect"));
 }
 
+TEST(Study, FaultyAxisMakesNoOtherKeyUseless) {
+  EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1, "C": 5})", R"({"law": "skalak"})")), ElementsAre("/axes/law"));
+}
+
 TEST(Study, WhatTheSolverChoosesIsSaid) {
   const auto study =
       parse_study(conditional("{}", R"({"Ca": [0.1, 0.2], "fluid": ["auto", "stokes"]})")).value;
