@@ -55,7 +55,9 @@ Client::Client(const std::string& server) : server_(server) {
 
 Client::~Client() = default;
 
-ordered_json Client::get(const std::string& path) { return content(http_->Get(prefix_ + path), server_); }
+ordered_json Client::get(const std::string& path, const std::multimap<std::string, std::string>& query) {
+  return content(http_->Get(prefix_ + path, query, httplib::Headers()), server_);
+}
 
 ordered_json Client::get_all(const std::string& path, const std::string& list) {
   const char* const separator = path.find('?') == std::string::npos ? "?" : "&";

@@ -1,5 +1,6 @@
 #pragma once
 // A client of the server: JSON in and out, failures as exceptions that say what to do.
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -35,7 +36,9 @@ class Client {
   explicit Client(const std::string& server);
   ~Client();
 
-  nlohmann::ordered_json get(const std::string& path);
+  /// \param query  parameters, not encoded; a name may stand several times
+  nlohmann::ordered_json get(const std::string& path,
+                             const std::multimap<std::string, std::string>& query = {});
   /// All items of a list that comes in pages. \param list  their key in each page
   nlohmann::ordered_json get_all(const std::string& path, const std::string& list);
   nlohmann::ordered_json post(const std::string& path, const std::string& body);

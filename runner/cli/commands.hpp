@@ -45,6 +45,8 @@ int submit_study(const SubmitArguments& arguments);
 struct StudyArguments {
   std::vector<std::string> ids;  ///< as they were typed: ids, their beginnings, names of studies
   std::string format = "table";  ///< of print_results: table, csv, json
+  std::string x, y;              ///< of print_phase_diagram: the axes to draw, or the server's choice
+  std::vector<std::string> at;   ///< of print_phase_diagram: AXIS=VALUE where the others are fixed
   bool json = false;
   std::string server = kDefaultServer;
 };

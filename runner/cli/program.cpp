@@ -189,11 +189,17 @@ Action declare_results(CLI::App& command) {
 Action declare_phase_diagram(CLI::App& command) {
   auto arguments = std::make_shared<StudyArguments>();
   add_study_ids(command, arguments->ids);
+  command.add_option("--x", arguments->x, "the axis to draw across; by default the first")->type_name("AXIS");
+  command.add_option("--y", arguments->y, "the axis to draw upwards; by default the next")->type_name("AXIS");
+  command.add_option("--at", arguments->at, "the value at which another axis is fixed, once an axis")
+      ->type_name("AXIS=VALUE")
+      ->allow_extra_args(false);
   add_json_flag(command, arguments->json);
   add_server_option(command, arguments->server);
   command.footer(
       "In colours on a terminal, unless the environment has NO_COLOR.\n"
-      "Example:\n  capstan phase-diagram quickstart-3f9c\n");
+      "Example:\n  capstan phase-diagram quickstart-3f9c\n"
+      "  capstan phase-diagram sweep-81cc --x Ca --y V --at E_b=0.015\n");
   return [arguments] { return print_phase_diagram(*arguments); };
 }
 

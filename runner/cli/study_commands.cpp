@@ -10,6 +10,7 @@
 #include "runner/cli/commands.hpp"
 #include "runner/cli/progress.hpp"
 #include "runner/cli/resolve.hpp"
+#include "runner/cli/study_text.hpp"
 #include "runner/execute/exit_code.hpp"
 #include "runner/results/export.hpp"
 #include "runner/results/phase_diagram.hpp"
@@ -59,10 +60,20 @@ std::string study_text(const ordered_json& study) {
   text += "submitted " + study["submitted_at"].get<std::string>() + ", " + study["state"].get<std::string>() +
           "\n";
   text += progress_text(study) + "\n";
+  const auto points = study["points"].get<std::size_t>(), cases = study["cases"]["total"].get<std::size_t>();
+  if (points != cases) text += size_text(points, cases) + "\n";
   for (const ordered_json& axis : study["axes"]) text += axis_text(axis["parameter"], axis["values"]) + "\n";
   for (const auto& [motion, count] : study["motions"].items())
-    if (count > 0) text += motion + ": " + count.dump() + "\n";
-  return text;
+    if (count > 0) text += motion + ": " + count.dump() + (points != cases ? " points\n" : "\n");
+  return text + notes_text(study["notes"]);
+}
+
+std::multimap<std::string, std::string> diagram_query(const StudyArguments& arguments) {
+  std::multimap<std::string, std::string> query;
+  if (!arguments.x.empty()) query.emplace("x", arguments.x);
+  if (!arguments.y.empty()) query.emplace("y", arguments.y);
+  for (const std::string& fixed : arguments.at) query.emplace("at", fixed);
+  return query;
 }
 
 /// https://no-color.org
@@ -145,7 +156,7 @@ int print_phase_diagram(const StudyArguments& arguments) {
   Client client(arguments.server);
   const std::vector<std::string> ids = resolved(client, arguments, study_id);
   return print_answers(ids, arguments.json, [&](const std::string& id) {
-    const ordered_json answer = client.get(path_of_study(id, "/phase-diagram"));
+    const ordered_json answer = client.get(path_of_study(id, "/phase-diagram"), diagram_query(arguments));
     const std::string title = ids.size() > 1 ? id + "\n" : "";
     return Answer{answer, title + render(phase_diagram_from_json(answer), colours_are_wanted())};
   });

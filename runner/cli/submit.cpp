@@ -4,6 +4,7 @@
 
 #include "runner/cli/commands.hpp"
 #include "runner/cli/study_file.hpp"
+#include "runner/cli/study_text.hpp"
 #include "runner/cli/watch.hpp"
 #include "runner/execute/exit_code.hpp"
 
@@ -18,6 +19,7 @@ int submit_study(const SubmitArguments& arguments) {
   const std::string id = submitted["id"];
   if (!arguments.json) std::cout << id << std::endl;
   if (submitted.value("resumed", false)) std::cerr << "the study was paused, and is resumed\n";
+  std::cerr << notes_text(submitted["notes"]);
   const int code =
       arguments.watch ? watch_study(client, id, std::cerr, isatty(STDERR_FILENO) == 1) : kExitDone;
   if (arguments.json)

@@ -3,6 +3,7 @@
 #include "runner/cli/axis_text.hpp"
 #include "runner/cli/commands.hpp"
 #include "runner/cli/study_file.hpp"
+#include "runner/cli/study_text.hpp"
 #include "runner/execute/exit_code.hpp"
 #include "runner/execute/input_file.hpp"
 #include "solver/case/content_id.hpp"
@@ -28,13 +29,19 @@ ordered_json summary_of(const InputDocument& document) {
   ordered_json axes = ordered_json::array();
   for (const Axis& axis : document.study->axes)
     axes.push_back({{"parameter", axis.parameter()}, {"values", values_of(axis)}});
-  return {{"valid", true}, {"kind", "study"}, {"cases", document.study->cases.size()}, {"axes", axes}};
+  return {{"valid", true},
+          {"kind", "study"},
+          {"points", document.study->points.size()},
+          {"cases", document.study->cases.size()},
+          {"axes", axes},
+          {"notes", document.study->notes}};
 }
 
 void print_study_summary(const Study& study) {
-  std::cout << "valid: " << study.cases.size() << (study.cases.size() == 1 ? " case\n" : " cases\n");
+  std::cout << "valid: " << size_text(study.points.size(), study.cases.size()) << '\n';
   for (const Axis& axis : study.axes)
     std::cout << "  " << axis_text(axis.parameter(), values_of(axis)) << '\n';
+  std::cout << notes_text(study.notes);
 }
 
 }  // namespace

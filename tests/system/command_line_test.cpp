@@ -222,6 +222,30 @@ TEST_F(ServedCommandLineTest, ResultsComeAsTableCsvAndJson) {
   EXPECT_EQ(nlohmann::json::parse(ask("results " + id + " --format json").output)["cases"].size(), 2u);
 }
 
+TEST_F(ServedCommandLineTest, PhaseDiagramOfThreeAxesFixesOne) {
+  const std::string id = submit_and_wait({{"Ca", {0.25, 0.75}}, {"V", {2, 4}}, {"E_b", {0, 0.015}}});
+  const CommandResult refused = ask("phase-diagram " + id);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors,
+              HasSubstr("E_b is not fixed: say at which value, as in at=E_b=0; it has: 0, 0.015"));
+  const CommandResult drawn = ask("phase-diagram " + id + " --x V --y Ca --at E_b=0.015");
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
+  EXPECT_THAT(drawn.output, HasSubstr("\nat E_b = 0.015\n"));
+}
+
+TEST_F(ServedCommandLineTest, PointsThatAreOneCaseAreSaidAndAllListed) {
+  const std::string file = file_with(R"({"name": "merged", "base": {"Ca": 0.25, "fluid": "stokes"},
+      "axes": {"Re": [0, 0.05]}})");
+  EXPECT_THAT(run_capstan("validate " + file).output, StartsWith("valid: 2 points, 1 case\n"));
+  const CommandResult submitted = ask("submit " + file + " --watch");
+  EXPECT_THAT(submitted.errors,
+              HasSubstr("note: 2 points are 1 case, each computed once: point 2 is the same case as "
+                        "point 1\n"));
+  const std::string id = submitted.output.substr(0, submitted.output.size() - 1);
+  EXPECT_THAT(ask("show " + id).output, HasSubstr("2 points, 1 case\n"));
+  EXPECT_THAT(ask("results " + id).output, ContainsRegex("\n +2 .* 1 +0.05 "));
+}
+
 TEST_F(ServedCommandLineTest, PhaseDiagramIsPlainWhenPiped) {
   const std::string id = submit_and_wait({{"Ca", {0.25, 0.75}}, {"V", {2, 4}}});
   const CommandResult result = ask("phase-diagram " + id);
