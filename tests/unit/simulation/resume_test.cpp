@@ -84,8 +84,9 @@ TEST(Resume, PapersSchemeGoesOnToTheLastBit) {
 
 TEST(Resume, ARunThatEndsEarlyEndsAtTheSameTimeWithTheSameEvidence) {
   const Case c = parsed_case(R"({"Ca": 0.05, "fluid": "stokes", "until": {"kt": 30, "classified": true},
-    "outputs": {"checkpoint_every": 30}, "fidelity": {"nodes": 162}})");
+    "fidelity": {"nodes": 162}})");
   MemoryOutput whole;
+  whole.checkpoint_every = 30;
   Simulation uninterrupted(c);
   EXPECT_EQ(uninterrupted.run(whole).stop, Stop::steady);
   ASSERT_GE(whole.checkpoints.size(), 2u);
