@@ -22,8 +22,11 @@ Response no_such_study(const std::string& id) {
 ordered_json warnings_of(const Study& study, const Service& service) {
   double bytes = 0;
   for (const Case& c : study.cases) bytes += run_size(c);
-  const auto free = static_cast<double>(std::filesystem::space(service.data().runs()).available);
-  const std::string warning = disk_warning(bytes, free, service.data().runs().string());
+  std::error_code error;
+  const auto space = std::filesystem::space(service.data().runs(), error);
+  if (error) return ordered_json::array({service.why_nothing_starts()});
+  const std::string warning =
+      disk_warning(bytes, static_cast<double>(space.available), service.data().runs().string());
   return warning.empty() ? ordered_json::array() : ordered_json::array({warning});
 }
 
