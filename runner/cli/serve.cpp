@@ -1,9 +1,12 @@
 #include <malloc.h>
 #include <sys/stat.h>
 
+#include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 
 #include "runner/cli/commands.hpp"
 #include "runner/execute/exit_code.hpp"
@@ -32,6 +35,16 @@ void warn_of_too_many_cores(int cores) {
 
 /// What the daemon and its runs write is for its user alone, whatever the user's mask would let others do.
 void keep_files_private() { umask(077); }
+
+/// Requests that are under way get a moment more. One that takes longer goes without its answer, as if the
+/// daemon had been killed.
+void end_soon(int code) {
+  static constexpr std::chrono::seconds kLongest{1};
+  std::thread([code] {
+    std::this_thread::sleep_for(kLongest);
+    std::_Exit(code);
+  }).detach();
+}
 
 }  // namespace
 
@@ -63,7 +76,10 @@ int serve(const ServeArguments& arguments) {
   std::cout << "Capstan serves " << url_of(server.address()) << " with " << arguments.cores
             << (arguments.cores == 1 ? " core" : " cores") << ", data in " << data.path().string()
             << std::endl;
-  return work_until_terminated(*service) ? kExitDone : kExitError;
+  const bool is_recorded = work_until_terminated(*service, [&] { server.reopen_log(); });
+  const int code = is_recorded ? kExitDone : kExitError;
+  end_soon(code);
+  return code;
 }
 
 }  // namespace capstan

@@ -173,13 +173,15 @@ Page find_cases(Database& database, const std::string& study_id, const CaseFilte
   Statement row = database.query(std::string(kColumns) + kOfPoint, study_id, wanted.after.value_or(-1),
                                  wanted_word(filter, "state"), wanted_word(filter, "motion"));
   Page page{ordered_json::array(), std::nullopt};
+  std::size_t size = 0;
   for (std::int64_t last = 0; row.step();) {
     if (!parameters.lets_pass(row)) continue;
-    if (std::ssize(page.items) == wanted.limit) {
+    if (std::ssize(page.items) == wanted.limit || size > kPageBytes) {
       page.next = last;
       break;
     }
     page.items.push_back(point_of(row));
+    size += page.items.back().dump(-1, ' ', false, ordered_json::error_handler_t::replace).size();
     last = row.integer(kPosition);
   }
   return page;

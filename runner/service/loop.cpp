@@ -16,8 +16,8 @@ constexpr long kPause = 5000;  // ms: after an error of the environment
 
 constexpr std::array kEndingSignals = {SIGTERM, SIGINT};
 
-/// SIGCHLD: a run has ended. SIGUSR1: someone has changed the queue.
-constexpr std::array kDaemonSignals = {SIGTERM, SIGINT, SIGCHLD, SIGUSR1};
+/// SIGCHLD: a run has ended. SIGUSR1: someone has changed the queue. SIGHUP: the logs were moved away.
+constexpr std::array kDaemonSignals = {SIGTERM, SIGINT, SIGCHLD, SIGUSR1, SIGHUP};
 
 sigset_t set_of(std::span<const int> list) {
   sigset_t signals;
@@ -68,11 +68,12 @@ EndAtOnce::~EndAtOnce() {
 
 void wake_loop() { kill(getpid(), SIGUSR1); }
 
-bool work_until_terminated(Service& service) {
+bool work_until_terminated(Service& service, const std::function<void()>& reopen_logs) {
   for (bool draining = false;;) {
     const bool is_well = tick(service);
     if (draining && service.has_ended()) return service.is_idle();
     const int signal = wait_for_signal(is_well || draining ? kTick : kPause);
+    if (signal == SIGHUP) reopen_logs();
     if (signal != SIGTERM && signal != SIGINT) continue;
     draining = true;
     service.drain();

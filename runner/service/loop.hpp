@@ -1,5 +1,7 @@
 #pragma once
 // The daemon's life: ticks, and sleep until there is something to do.
+#include <functional>
+
 #include "runner/service/service.hpp"
 
 namespace capstan {
@@ -24,6 +26,7 @@ void wake_loop();
 /// Works until SIGTERM or SIGINT, then has all runs write a checkpoint and end. An error of the environment
 /// (a full disk) is said on standard error and tried again after a while. False if the end of a run could not
 /// be recorded: the next daemon finds it in the run directory.
-bool work_until_terminated(Service& service);
+/// \param reopen_logs  called at SIGHUP
+bool work_until_terminated(Service& service, const std::function<void()>& reopen_logs);
 
 }  // namespace capstan

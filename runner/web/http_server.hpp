@@ -36,6 +36,7 @@ class HttpServer : private httplib::Server {
 
   /// Answers the request of a connection that somebody else has accepted.
   void adopt(int socket) { loop_.adopt(socket); }
+  void reopen_log() { log_.reopen(); }
 
  private:
   void configure();

@@ -7,6 +7,11 @@ namespace capstan {
 RequestLog::RequestLog(std::filesystem::path file, std::size_t most)
     : file_(std::move(file)), most_(most), stream_(file_, std::ios::app) {}
 
+void RequestLog::reopen() {
+  const std::lock_guard lock(mutex_);
+  stream_ = std::ofstream(file_, std::ios::app);
+}
+
 void RequestLog::write(const std::string& line) {
   std::string shown = line;
   std::replace_if(

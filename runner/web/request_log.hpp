@@ -15,6 +15,8 @@ class RequestLog {
 
   /// From any thread. Characters that would break a line or a terminal are replaced.
   void write(const std::string& line);
+  /// Goes on in the file of that name, whatever has become of the one that was open.
+  void reopen();
 
  private:
   std::filesystem::path file_;

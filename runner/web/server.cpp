@@ -11,6 +11,8 @@ Server::Server(const std::filesystem::path& data, Address address, Access access
 
 Server::~Server() = default;
 
+void Server::reopen_log() { http_->reopen_log(); }
+
 void Server::serve(Service& service) { http_->set_service(service); }
 
 }  // namespace capstan

@@ -23,6 +23,9 @@ class Server {
   /// Answers all requests from now on.
   void serve(Service& service);
 
+  /// The request log was moved away: it goes on in a new file.
+  void reopen_log();
+
   /// With the port that was found, if any free one was asked for.
   const Address& address() const { return address_; }
 

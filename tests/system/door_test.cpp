@@ -1,6 +1,7 @@
 // Who is let in at the real door, and how a study is followed through it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <stdlib.h>
 
 #include <thread>
@@ -144,6 +145,35 @@ TEST_F(DoorTest, FollowersLeaveHalfOfTheThreadsFree) {
   wait_for(client, "/v1/studies/" + id, [&](const auto&) {
     return ask(daemon, request_text("GET", "/metrics")).find("capstan_http_streams 0\n") != std::string::npos;
   });
+}
+
+TEST_F(DoorTest, LogIsReopenedAtSighup) {
+  Daemon daemon(data_.path());
+  const std::filesystem::path log = data_.path() / "requests.log";
+  ask(daemon, request_text("GET", "/healthz"));
+  std::filesystem::rename(log, data_.path() / "moved.log");
+  kill(daemon.pid(), SIGHUP);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!std::filesystem::exists(log) && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::yield();
+  ask(daemon, request_text("GET", "/readyz"));
+  EXPECT_THAT(file_bytes(log), HasSubstr("GET /readyz"));
+  EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+}
+
+/// Studies that take the database for seconds.
+TEST_F(DoorTest, EndIsNotKeptWaitingByRequestsUnderWay) {
+  Daemon daemon(data_.path());
+  const std::string grid = R"({"from": 0.1, "to": 1, "count": 2000})";
+  std::vector<RawConnection> clients;
+  for (int i = 0; i < 12; ++i) {
+    clients.emplace_back(daemon.url());
+    clients.back().send(request_text("POST", "/v1/studies", "",
+                                     "{\"name\": \"s" + std::to_string(i) + "\", \"base\": {\"V\": " +
+                                         std::to_string(2 + i) + R"(}, "axes": {"Ca": )" + grid + "}}"));
+  }
+  EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+  for (RawConnection& client : clients) EXPECT_NE(status_of(client.receive_all()), 400);
 }
 
 TEST_F(DoorTest, BodyUnderWayAtTheEndIsToBeSentAgain) {

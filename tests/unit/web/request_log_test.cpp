@@ -23,5 +23,17 @@ TEST(RequestLog, NeverTakesMoreThanTwiceItsMost) {
   EXPECT_EQ(file_bytes(directory.path() / "log.1").size(), 1000u);
 }
 
+TEST(RequestLog, GoesOnInANewFileWhenTheOldOneWasMovedAway) {
+  const TemporaryDirectory directory;
+  const std::filesystem::path file = directory.path() / "requests.log", moved = directory.path() / "moved";
+  RequestLog log(file);
+  log.write("first");
+  std::filesystem::rename(file, moved);
+  log.reopen();
+  log.write("second");
+  EXPECT_EQ(file_bytes(moved), "first\n");
+  EXPECT_EQ(file_bytes(file), "second\n");
+}
+
 }  // namespace
 }  // namespace capstan
