@@ -59,18 +59,31 @@ ordered_json Client::get(const std::string& path, const std::multimap<std::strin
   return content(http_->Get(prefix_ + path, query, httplib::Headers()), server_);
 }
 
-ordered_json Client::get_all(const std::string& path, const std::string& list) {
+void Client::for_each_page(const std::string& path, const std::string& list,
+                           const std::function<void(const ordered_json& items)>& use) {
   const char* const separator = path.find('?') == std::string::npos ? "?" : "&";
-  ordered_json page = get(path), all = std::move(page[list]);
+  ordered_json page = get(path);
+  use(page[list]);
   while (page["next"].is_string()) {
     page = get(path + separator + "after=" + page["next"].get<std::string>());
-    for (ordered_json& item : page[list]) all.push_back(std::move(item));
+    use(page[list]);
   }
+}
+
+ordered_json Client::get_all(const std::string& path, const std::string& list) {
+  ordered_json all = ordered_json::array();
+  for_each_page(path, list, [&](const ordered_json& items) {
+    for (const ordered_json& item : items) all.push_back(item);
+  });
   return all;
 }
 
 ordered_json Client::post(const std::string& path, const std::string& body) {
   return content(http_->Post(prefix_ + path, body, "application/json"), server_);
+}
+
+ordered_json Client::remove(const std::string& path) {
+  return content(http_->Delete(prefix_ + path), server_);
 }
 
 }  // namespace capstan

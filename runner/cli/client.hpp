@@ -1,5 +1,6 @@
 #pragma once
 // A client of the server: JSON in and out, failures as exceptions that say what to do.
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -39,9 +40,13 @@ class Client {
   /// \param query  parameters, not encoded; a name may stand several times
   nlohmann::ordered_json get(const std::string& path,
                              const std::multimap<std::string, std::string>& query = {});
+  /// The items of a list, page by page. \param list  their key in each page
+  void for_each_page(const std::string& path, const std::string& list,
+                     const std::function<void(const nlohmann::ordered_json& items)>& use);
   /// All items of a list that comes in pages. \param list  their key in each page
   nlohmann::ordered_json get_all(const std::string& path, const std::string& list);
   nlohmann::ordered_json post(const std::string& path, const std::string& body);
+  nlohmann::ordered_json remove(const std::string& path);
 
  private:
   std::string server_;

@@ -27,6 +27,7 @@ struct UpkeepArguments {
 };
 int examine_data(const UpkeepArguments& arguments);
 int back_up(const UpkeepArguments& arguments);
+int print_disk_usage(const UpkeepArguments& arguments);
 
 struct FileArguments {
   std::string file;
@@ -57,6 +58,7 @@ int print_results(const StudyArguments& arguments);
 int print_phase_diagram(const StudyArguments& arguments);
 /// \param change  cancel, pause, resume, retry, priority
 int change_study(const StudyArguments& arguments, const std::string& change, const std::string& body = "");
+int delete_study(const StudyArguments& arguments);
 int explain(const StudyArguments& arguments);  ///< studies and cases
 
 }  // namespace capstan

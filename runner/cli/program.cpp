@@ -18,6 +18,7 @@
 #include "runner/execute/local_executor.hpp"
 #include "runner/execute/run_directory.hpp"
 #include "runner/results/bench_report.hpp"
+#include "runner/results/printable.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {
@@ -119,6 +120,16 @@ Action declare_backup(CLI::App& command) {
   return [arguments] { return back_up(*arguments); };
 }
 
+Action declare_disk(CLI::App& command) {
+  auto arguments = std::make_shared<UpkeepArguments>();
+  add_data_option(command, arguments->data);
+  add_json_flag(command, arguments->json);
+  command.footer(
+      "The server may be running. A case of two studies counts in both, and once in the sum.\n"
+      "Example:\n  capstan disk --data /srv/capsules\n");
+  return [arguments] { return print_disk_usage(*arguments); };
+}
+
 Action declare_validate(CLI::App& command) {
   auto arguments = std::make_shared<FileArguments>();
   command.add_option("FILE", arguments->file, "the study or case; - is standard input")->required();
@@ -211,6 +222,19 @@ Action declare_change(CLI::App& command) {
   add_server_option(command, arguments->server);
   command.footer("Example:\n  capstan " + command.get_name() + " quickstart-3f9c\n");
   return [arguments, change = command.get_name()] { return change_study(*arguments, change); };
+}
+
+Action declare_delete(CLI::App& command) {
+  auto arguments = std::make_shared<StudyArguments>();
+  add_study_ids(command, arguments->ids);
+  add_json_flag(command, arguments->json);
+  add_server_option(command, arguments->server);
+  command.footer(
+      "Results, histories and shapes of its cases are deleted, too, unless another study has the same case. "
+      "What runs "
+      "of them\nis stopped. Nothing brings them back but to compute them again.\n"
+      "Example:\n  capstan delete quickstart-3f9c\n");
+  return [arguments] { return delete_study(*arguments); };
 }
 
 Action declare_retry(CLI::App& command) {
@@ -353,6 +377,7 @@ constexpr Command kCommands[] = {
     {"serve", "run the server: takes studies, computes their cases, answers over HTTP", declare_serve},
     {"doctor", "check a data directory: the database, the run directories, the disk", declare_doctor},
     {"backup", "copy the database, also of a running server", declare_backup},
+    {"disk", "what takes space in a data directory, study by study", declare_disk},
     {"validate", "check the file of a study or a case; every fault is reported", declare_validate},
     {"submit", "hand a study to the server", declare_submit},
     {"studies", "list all studies, the newest first", declare_studies},
@@ -361,6 +386,7 @@ constexpr Command kCommands[] = {
     {"results", "the cases of a study and what came of them", declare_results},
     {"phase-diagram", "the motion over two axes of a study", declare_phase_diagram},
     {"cancel", "take back what a study has not computed yet", declare_change},
+    {"delete", "delete a study and the results that no other study has", declare_delete},
     {"pause", "start no more cases of a study; what runs goes on", declare_change},
     {"resume", "start cases of a paused study again", declare_change},
     {"retry", "queue the failed cases of a study again, at a finer setting if asked", declare_retry},
@@ -413,7 +439,7 @@ Action read_arguments(int argc, char** argv, const Physics& physics, int& code) 
 }
 
 int report(const std::exception& error, int code) {
-  std::cerr << "capstan: " << error.what() << '\n';
+  std::cerr << "capstan: " << printable(error.what()) << '\n';
   return code;
 }
 

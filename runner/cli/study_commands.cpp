@@ -11,9 +11,11 @@
 #include "runner/cli/progress.hpp"
 #include "runner/cli/resolve.hpp"
 #include "runner/cli/study_text.hpp"
+#include "runner/cli/write_results.hpp"
 #include "runner/execute/exit_code.hpp"
-#include "runner/results/export.hpp"
 #include "runner/results/phase_diagram.hpp"
+#include "runner/results/printable.hpp"
+#include "runner/results/table.hpp"
 
 namespace capstan {
 namespace {
@@ -56,7 +58,8 @@ std::string path_of_study(const std::string& id, const std::string& rest = "") {
 }
 
 std::string study_text(const ordered_json& study) {
-  std::string text = study["id"].get<std::string>() + "  " + study["description"].get<std::string>() + "\n";
+  std::string text =
+      study["id"].get<std::string>() + "  " + printable(study["description"].get<std::string>()) + "\n";
   text += "submitted " + study["submitted_at"].get<std::string>() + ", " + study["state"].get<std::string>() +
           "\n";
   text += progress_text(study) + "\n";
@@ -105,8 +108,9 @@ std::string change_text(const ordered_json& study, const std::string& change) {
 
 /// Of a case a sentence, of a study one with the number of cases it is about.
 std::string reason_text(const ordered_json& reason) {
-  if (reason.is_string()) return reason.get<std::string>();
-  return cases_text(reason["cases"].get<std::int64_t>()) + ": " + reason["reason"].get<std::string>();
+  if (reason.is_string()) return printable(reason.get<std::string>());
+  return cases_text(reason["cases"].get<std::int64_t>()) + ": " +
+         printable(reason["reason"].get<std::string>());
 }
 
 }  // namespace
@@ -143,12 +147,11 @@ int print_results(const StudyArguments& arguments) {
   const bool csv = arguments.format == "csv", json = arguments.json || arguments.format == "json";
   if (csv && ids.size() > 1)
     throw std::invalid_argument("--format csv is one table of one study: give one id");
-  return print_answers(ids, json, [&](const std::string& id) {
-    const ordered_json cases = client.get_all(path_of_study(id, "/cases"), "cases");
-    if (json) return Answer{{{"study", id}, {"cases", cases}}, ""};
-    if (csv) return Answer{nullptr, as_csv(full_table(cases))};
-    const std::string title = ids.size() > 1 ? id + "\n" : "";
-    return Answer{nullptr, title + as_text(summary_table(client.get(path_of_study(id)), cases))};
+  if (csv) write_results_csv(client, ids.front(), std::cout);
+  if (json) write_results_json(client, ids, std::cout);
+  if (csv || json) return kExitDone;
+  return print_answers(ids, false, [&](const std::string& id) {
+    return Answer{nullptr, (ids.size() > 1 ? id + "\n" : "") + results_text(client, id)};
   });
 }
 
@@ -167,6 +170,17 @@ int change_study(const StudyArguments& arguments, const std::string& change, con
   return print_answers(resolved(client, arguments, study_id), arguments.json, [&](const std::string& id) {
     const ordered_json study = client.post(path_of_study(id, "/" + change), body);
     return Answer{study, change_text(study, change)};
+  });
+}
+
+int delete_study(const StudyArguments& arguments) {
+  Client client(arguments.server);
+  return print_answers(resolved(client, arguments, study_id), arguments.json, [&](const std::string& id) {
+    const ordered_json deletion = client.remove(path_of_study(id));
+    const std::string text = id + ": deleted with " +
+                             cases_text(deletion["deleted_cases"].get<std::int64_t>()) + ", " +
+                             deletion["kept_cases"].dump() + " are kept for other studies\n";
+    return Answer{deletion, text};
   });
 }
 

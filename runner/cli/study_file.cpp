@@ -1,4 +1,5 @@
 #include "runner/cli/study_file.hpp"
+#include "runner/results/printable.hpp"
 
 #include <algorithm>
 #include <iomanip>
@@ -45,8 +46,8 @@ void print_issues(std::ostream& out, const std::string& file, const Issues& issu
   std::size_t width = 0;
   for (const Issue& issue : issues) width = std::max(width, issue.pointer.size());
   for (const Issue& issue : issues)
-    out << "  " << std::left << std::setw(static_cast<int>(width)) << issue.pointer << (width > 0 ? "  " : "")
-        << issue.message << '\n';
+    out << "  " << std::left << std::setw(static_cast<int>(width)) << printable(issue.pointer)
+        << (width > 0 ? "  " : "") << printable(issue.message) << '\n';
 }
 
 nlohmann::ordered_json to_json(const Issues& issues) {

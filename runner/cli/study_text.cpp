@@ -1,5 +1,7 @@
 #include "runner/cli/study_text.hpp"
 
+#include "runner/results/printable.hpp"
+
 namespace capstan {
 
 std::string size_text(std::size_t points, std::size_t cases) {
@@ -9,7 +11,7 @@ std::string size_text(std::size_t points, std::size_t cases) {
 
 std::string notes_text(const std::vector<std::string>& notes) {
   std::string text;
-  for (const std::string& note : notes) text += "note: " + note + "\n";
+  for (const std::string& note : notes) text += "note: " + printable(note) + "\n";
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include "runner/cli/study_text.hpp"
 #include "runner/cli/watch.hpp"
 #include "runner/execute/exit_code.hpp"
+#include "runner/results/printable.hpp"
 
 namespace capstan {
 
@@ -15,9 +16,11 @@ int submit_study(const SubmitArguments& arguments) {
   const auto study = read_study_file(arguments.file);
   if (!study) return kExitInvalidInput;
   Client client(arguments.server);
-  const nlohmann::ordered_json submitted = client.post("/v1/studies", study->document.dump());
+  nlohmann::ordered_json submitted = client.post("/v1/studies", study->document.dump());
   const std::string id = submitted["id"];
   if (!arguments.json) std::cout << id << std::endl;
+  for (const nlohmann::ordered_json& warning : submitted["warnings"])
+    std::cerr << "warning: " << printable(warning.get<std::string>()) << '\n';
   if (submitted.value("resumed", false)) std::cerr << "the study was paused, and is resumed\n";
   std::cerr << notes_text(submitted["notes"]);
   const int code =

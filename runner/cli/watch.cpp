@@ -10,6 +10,7 @@
 #include "runner/cli/progress.hpp"
 #include "runner/cli/resolve.hpp"
 #include "runner/execute/exit_code.hpp"
+#include "runner/results/printable.hpp"
 
 namespace capstan {
 namespace {
@@ -50,7 +51,7 @@ void report_failures(Client& client, const std::string& study_id, std::ostream& 
     const std::string path = "/v1/studies/" + study_id + "/cases?state=" + state;
     for (const ordered_json& shown : ask_patiently([&] { return client.get_all(path, "cases"); }, out))
       out << "case " << shown["id"].get<std::string>() << ' ' << state << ": "
-          << shown["message"].get<std::string>() << '\n';
+          << printable(shown["message"].get<std::string>()) << '\n';
   }
 }
 

@@ -78,14 +78,18 @@ std::string as_text(const Table& table) {
 }
 
 std::string as_csv(const Table& table) {
+  std::string header;
+  for (const std::string& name : table.columns) header += (header.empty() ? "" : ",") + quoted(name);
+  return header + "\r\n" + csv_rows(table);
+}
+
+std::string csv_rows(const Table& table) {
   std::string text;
-  const auto add_line = [&](const auto& row, const auto& text_of) {
+  for (const auto& row : table.rows) {
     for (std::size_t column = 0; column < row.size(); ++column)
-      text += (column > 0 ? "," : "") + quoted(text_of(row[column]));
+      text += (column > 0 ? "," : "") + quoted(plain(row[column]));
     text += "\r\n";
-  };
-  add_line(table.columns, [](const std::string& name) { return name; });
-  for (const auto& row : table.rows) add_line(row, [](const ordered_json& value) { return plain(value); });
+  }
   return text;
 }
 

@@ -23,5 +23,7 @@ std::string as_text(const Table& table);
 
 /// RFC 4180, with a header; numbers in full.
 std::string as_csv(const Table& table);
+/// The same without the header.
+std::string csv_rows(const Table& table);
 
 }  // namespace capstan

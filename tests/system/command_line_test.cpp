@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 
@@ -374,6 +375,45 @@ TEST_F(ServedCommandLineTest, StudyIsExplainedByTheReasonsOfItsCases) {
   EXPECT_THAT(result.output, StartsWith(id + ": done\n"));
   EXPECT_THAT(result.output, HasSubstr("  2 cases: done, with an answer\n"));
   EXPECT_THAT(result.output, HasSubstr("  2 cases: diverged: the membrane tore at kt = 0.3 (case "));
+}
+
+TEST_F(ServedCommandLineTest, ResultsOfSeveralPagesAreOneDocumentAndOneTable) {
+  constexpr std::size_t kCases = 1100;
+  std::string id =
+      ask("submit " + study_file({{"Ca", {{"from", 0.1}, {"to", 1}, {"count", kCases}}}, {"V", {70}}}))
+          .output;
+  id.pop_back();
+  EXPECT_EQ(nlohmann::json::parse(ask("results " + id + " --json").output)["cases"].size(), kCases);
+  EXPECT_EQ(nlohmann::json::parse(ask("results " + id + " " + id + " --json").output).size(), 2u);
+  for (const char* format : {"csv", "table"}) {
+    const std::string text = ask("results " + id + " --format " + format).output;
+    EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), kCases + 1) << format;
+  }
+}
+
+TEST_F(ServedCommandLineTest, EscapeSequencesOfADescriptionDoNotReachTheTerminal) {
+  nlohmann::json document = study_document("cli", {{"Ca", {0.25}}});
+  document["description"] = "\x1b[2J\x1b]0;title\x07 over\rwritten";
+  std::string id = ask("submit " + file_with(document.dump())).output;
+  id.pop_back();
+  for (const std::string& command : {"studies", "show", "watch"}) {
+    const CommandResult result = ask(command == "studies" ? command : command + " " + id);
+    EXPECT_EQ(result.output.find_first_of("\x1b\x07\r"), std::string::npos) << command;
+  }
+  EXPECT_THAT(ask("show " + id).output, HasSubstr("?[2J?]0;title? over?written"));
+  document["base"]["\x1b[2J"] = 1;
+  EXPECT_EQ(run_capstan("validate " + file_with(document.dump())).errors.find('\x1b'), std::string::npos);
+}
+
+TEST_F(ServedCommandLineTest, StudyIsDeletedWithItsResults) {
+  const std::string id = submit_and_wait({{"Ca", {0.25, 0.3}}});
+  EXPECT_THAT(run_capstan("disk --data " + data_.path().string()).output, ContainsRegex(id + " +2 +[0-9.]+"));
+  const auto usage = nlohmann::json::parse(run_capstan("disk --json --data " + data_.path().string()).output);
+  EXPECT_EQ(usage["studies"][0]["study"], id);
+  EXPECT_EQ(usage["studies"][0]["bytes"], usage["runs"]["bytes"]);
+  EXPECT_EQ(ask("delete " + id).output, id + ": deleted with 2 cases, 0 are kept for other studies\n");
+  EXPECT_EQ(ask("show " + id).exit_code, 4);
+  EXPECT_THAT(ask("studies").output, Not(HasSubstr(id)));
 }
 
 }  // namespace
