@@ -396,7 +396,7 @@ TEST_F(ServedCommandLineTest, EscapeSequencesOfADescriptionDoNotReachTheTerminal
   document["description"] = "\x1b[2J\x1b]0;title\x07 over\rwritten";
   std::string id = ask("submit " + file_with(document.dump())).output;
   id.pop_back();
-  for (const std::string& command : {"studies", "show", "watch"}) {
+  for (const std::string command : {"studies", "show", "watch"}) {
     const CommandResult result = ask(command == "studies" ? command : command + " " + id);
     EXPECT_EQ(result.output.find_first_of("\x1b\x07\r"), std::string::npos) << command;
   }
