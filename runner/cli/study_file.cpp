@@ -22,13 +22,13 @@ bool is_case(const nlohmann::json& document) {
 
 InputDocument parse_document(const std::string& text) {
   const ParsedJson json = parse_json(text);
-  if (!json.value) return {std::nullopt, std::nullopt, json.issues};
+  if (!json.value) return {std::nullopt, std::nullopt, {}, json.issues};
   if (is_case(*json.value)) {
     ParsedCase parsed = parse_case(*json.value);
-    return {std::nullopt, std::move(parsed.value), std::move(parsed.issues)};
+    return {std::nullopt, std::move(parsed.value), std::move(parsed.choices), std::move(parsed.issues)};
   }
   ParsedStudy parsed = parse_study(*json.value);
-  return {std::move(parsed.value), std::nullopt, std::move(parsed.issues)};
+  return {std::move(parsed.value), std::nullopt, {}, std::move(parsed.issues)};
 }
 
 std::optional<Study> read_study_file(const std::string& file) {

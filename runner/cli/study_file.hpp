@@ -12,6 +12,7 @@ namespace capstan {
 struct InputDocument {
   std::optional<Study> study;
   std::optional<Case> single_case;
+  Choices choices;  ///< of the case
   Issues issues;  ///< if it is neither
 };
 InputDocument parse_document(const std::string& text);

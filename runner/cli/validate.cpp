@@ -6,6 +6,7 @@
 #include "runner/cli/study_text.hpp"
 #include "runner/execute/exit_code.hpp"
 #include "runner/execute/input_file.hpp"
+#include "solver/case/case_warnings.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {
@@ -24,7 +25,9 @@ ordered_json summary_of(const InputDocument& document) {
     return {{"valid", true},
             {"kind", "case"},
             {"id", case_id(*document.single_case)},
-            {"case", to_json(*document.single_case)}};
+            {"case", to_json(*document.single_case)},
+            {"choices", to_json(document.choices)},
+            {"warnings", case_warnings(*document.single_case)}};
   if (!document.study) return {{"valid", false}, {"errors", to_json(document.issues)}};
   ordered_json axes = ordered_json::array();
   for (const Axis& axis : document.study->axes)
@@ -44,6 +47,12 @@ void print_study_summary(const Study& study) {
   std::cout << notes_text(study.notes);
 }
 
+void print_case_summary(const Case& c, const Choices& choices) {
+  std::cout << "valid: a case, " << case_id(c) << '\n';
+  for (const Choice& choice : choices) std::cout << "  " << in_words(choice) << '\n';
+  for (const std::string& warning : case_warnings(c)) std::cout << "  warning: " << warning << '\n';
+}
+
 }  // namespace
 
 int validate_file(const FileArguments& arguments) {
@@ -54,7 +63,7 @@ int validate_file(const FileArguments& arguments) {
   else if (document.study)
     print_study_summary(*document.study);
   else if (document.single_case)
-    std::cout << "valid: a case, " << case_id(*document.single_case) << '\n';
+    print_case_summary(*document.single_case, document.choices);
   else
     print_issues(std::cerr, input_name(arguments.file), document.issues);
   return is_valid ? kExitDone : kExitInvalidInput;
