@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "runner/cli/commands.hpp"
-#include "runner/cli/standard_output.hpp"
 #include "runner/execute/exit_code.hpp"
 #include "runner/execute/local_executor.hpp"
 #include "runner/service/database_faults.hpp"
@@ -77,7 +76,7 @@ int serve(const ServeArguments& arguments) {
   std::cout << "Capstan serves " << url_of(server.address()) << " with " << arguments.cores
             << (arguments.cores == 1 ? " core" : " cores") << ", data in " << data.path().string()
             << std::endl;
-  if (!output_has_arrived()) return kExitError;  // whoever waits for this line would wait for ever
+  if (!std::cout) return kExitError;  // whoever waits for this line would wait for ever
   const bool is_recorded = work_until_terminated(*service, [&] { server.reopen_log(); });
   const int code = is_recorded ? kExitDone : kExitError;
   end_soon(code);
