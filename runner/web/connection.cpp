@@ -64,7 +64,7 @@ Connection::Input Connection::take_in(const Judge& judge) {
 
 void Connection::refuse_with(Response refusal) {
   refusal_ = std::move(refusal);
-  received_ = std::string();
+  std::string().swap(received_);  // to assign an empty one would keep the memory
 }
 
 bool Connection::is_complete(const Judge& judge) {
@@ -124,7 +124,7 @@ bool Connection::send_unsent() const {
     if (count < 0) is_gone_ = true;
     if (count > 0) sent_ += static_cast<std::size_t>(count);
   }
-  if (!unsent_.empty()) unsent_ = std::string();
+  std::string().swap(unsent_);
   sent_ = 0;
   return !is_gone_;
 }
