@@ -225,7 +225,7 @@ TEST_F(DaemonTest, PausedStudyIsResumedByASubmissionThatSaysSo) {
   const Daemon daemon(data_.path(), {"--cores", "1"});
   Client client(daemon.url());
   const std::filesystem::path file = data_.path() / "study.json";
-  overwrite(file, study_document("paused", {{"Ca", {0.25, 0.5}}, {"V", {70}}}).dump());
+  overwrite(file, study_document("paused", {{"Ca", {0.25, 0.5}}, {"V", {70}}, {"fluid", {"stokes"}}}).dump());
   const std::string submission = "submit " + file.string() + " --server " + daemon.url();
   const CommandResult first = run_capstan(submission);
   EXPECT_EQ(first.errors, "");
