@@ -2,17 +2,11 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
+
+#include "solver/case/shown_number.hpp"
 
 namespace capstan {
 namespace {
-
-std::string rounded(double number) {
-  std::ostringstream text;
-  text.precision(3);
-  text << number;
-  return text.str();
-}
 
 /// The paper, fig. 10.
 std::string neglected_inertia(const Case& c) {

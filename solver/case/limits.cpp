@@ -2,22 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "solver/case/flow_rounding.hpp"
 #include "solver/case/run_cost.hpp"
+#include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
 #include "solver/case/units.hpp"
 
 namespace capstan {
 namespace {
-
-std::string rounded(double number) {
-  std::ostringstream text;
-  text.precision(3);
-  text << number;
-  return text.str();
-}
 
 LatticeUnits transient_units(const Case& c) {
   constexpr double kViscosity = 0.04;  // of the transient lattice

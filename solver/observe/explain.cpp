@@ -1,17 +1,13 @@
 #include "solver/observe/explain.hpp"
 
 #include <cmath>
-#include <sstream>
+
+#include "solver/case/shown_number.hpp"
 
 namespace capstan {
 namespace {
 
-std::string digits(double number) {
-  std::ostringstream text;
-  text.precision(2);
-  text << number;
-  return text.str();
-}
+std::string digits(double number) { return rounded(number, 2); }
 
 std::string count(double number, const std::string& noun) {
   return digits(number) + " " + noun + (number == 1 ? "" : "s");

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
 
 namespace capstan {
@@ -11,13 +11,6 @@ namespace {
 
 constexpr double kFolded = 90,
                  kCollapsed = 2;  // degrees; an oblate capsule of aspect 0.1 has 53 and 6.6 at rest
-
-std::string rounded(double number) {
-  std::ostringstream text;
-  text.precision(3);
-  text << number;
-  return text.str();
-}
 
 std::string of_the_fluid(const Case& c) {
   if (c.fluid != Fluid::quasisteady || c.Re < 0.1) return "";
