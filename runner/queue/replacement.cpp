@@ -54,6 +54,19 @@ void change_all(Database& database, const std::string& sql,
   }
 }
 
+/// What is wrong with the fidelity whatever the model of the flow; nothing if there is no such study.
+Issues faults_of_fidelity(Database& database, const std::string& study_id, const nlohmann::json& fidelity) {
+  Issues issues;
+  for (auto& [id, document] : read_cases(database.query("SELECT c.id, c.document FROM study_cases JOIN cases "
+                                                        "c ON c.id = case_id WHERE study_id = ? LIMIT 1",
+                                                        study_id))) {
+    document["fidelity"] = fidelity;
+    issues = parse_case(document).issues;
+    std::erase_if(issues, [](const Issue& issue) { return issue.without_effect; });
+  }
+  return issues;
+}
+
 std::string text_of(const Issues& issues) {
   std::string text;
   for (const Issue& issue : issues) text += "\n" + issue.pointer + ": " + issue.message;
@@ -74,7 +87,8 @@ std::string add_case(Database& database, const Case& c) {
 
 Issues replace_failed(Database& database, const std::string& study_id, const nlohmann::json& fidelity) {
   Transaction transaction(database);
-  Issues issues;
+  Issues issues = faults_of_fidelity(database, study_id, fidelity);
+  if (!issues.empty()) return issues;
   for (auto& [id, document] : read_cases(
            database.query("SELECT c.id, c.document FROM study_cases JOIN cases c ON c.id = case_id JOIN "
                           "studies s ON s.id = study_id"

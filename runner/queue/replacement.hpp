@@ -13,7 +13,8 @@ namespace capstan {
 std::string add_case(Database& database, const Case& c);
 
 /// Puts cases of that fidelity in the place of the study's failed and diverged ones. If one of them would be
-/// invalid nothing is changed; the faults of the first such case.
+/// invalid nothing is changed; the faults of the first such case. A fidelity that no case could have is a
+/// fault also where there is nothing to replace.
 /// \param fidelity  as in a case file: a preset or an object of knobs
 Issues replace_failed(Database& database, const std::string& study_id, const nlohmann::json& fidelity);
 

@@ -81,6 +81,12 @@ std::string fault_of_c0(const std::string& value) {
   return "must be a number, or one of: initial, uniform";
 }
 
+std::string fault_of_fidelity(const std::string& value) {
+  if (nlohmann::json::parse(value, nullptr, false).is_object()) return "";
+  const std::string fault = fault_among(value, "fast", "standard", "fine", "paper");
+  return fault.empty() ? "" : fault + "; or an object of knobs";
+}
+
 std::string fault_of_axis(const std::string& value) { return fault_of_word(value, axis_parameters()); }
 
 std::string fault_of_format(const std::string& value) { return fault_among(value, "json", "csv"); }
@@ -96,7 +102,7 @@ constexpr Parameter kCaseList[] = {
     {"law", fault_of_law},         {"C", fault_of_number},    {"Ca", fault_of_number},
     {"V", fault_of_number},        {"Re", fault_of_number},   {"E_b", fault_of_number},
     {"bending", fault_of_bending}, {"c0", fault_of_c0},       {"fluid", fault_of_fluid},
-    {"fidelity", anything},
+    {"fidelity", fault_of_fidelity},
 };
 
 constexpr Parameter kPhaseDiagram[] = {

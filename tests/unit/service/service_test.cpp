@@ -514,6 +514,16 @@ TEST_F(ServiceTest, RetryAtAnInvalidFidelityChangesNothingAndSaysAllFaults) {
   EXPECT_EQ(cases(id)[0]["state"], "diverged");
 }
 
+TEST_F(ServiceTest, RetryAtAnInvalidFidelityIsAFaultWhereNothingHasFailed) {
+  const std::string id = submit({{"Ca", {0.25, 0.5}}});
+  EXPECT_THAT(service_->retry_at(id, "finest"), SizeIs(1));
+  EXPECT_THAT(service_->retry_at(id, nullptr), SizeIs(1));
+  EXPECT_THAT(service_->retry_at(id, {{"colour", "red"}}), SizeIs(1));
+  EXPECT_THAT(service_->retry_at(id, "fine"), IsEmpty());
+  service_->cancel(id);
+  EXPECT_THAT(service_->retry_at(id, "finest"), SizeIs(1));
+}
+
 /// As a database looks in which an earlier program has queued a case.
 TEST_F(ServiceTest, QueuedCaseOfAnEarlierNumericsVersionIsReplacedAtTheStart) {
   const std::string id = service_->submit(sample_study("study", {{"Ca", {0.25}}})).study_id;

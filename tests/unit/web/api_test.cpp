@@ -138,6 +138,7 @@ TEST_F(ApiTest, FilterThatCannotBeMetIsRefused) {
   const std::string path = "/v1/studies/" + submit_and_complete_one() + "/cases";
   EXPECT_EQ(get(path, {{"colour", "red"}}).status, 400);
   EXPECT_EQ(get(path, {{"motion", "flying"}}).status, 400);
+  EXPECT_EQ(get(path, {{"fidelity", "finest"}}).status, 400);
   EXPECT_EQ(get(path, {{"Ca') OR 1 --", "1"}}).status, 400);
 }
 
