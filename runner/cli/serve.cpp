@@ -19,7 +19,7 @@ namespace capstan {
 namespace {
 
 /// What one request has freed serves the next: to give it back to the system each time takes a third of the
-/// daemon's time.
+/// daemon's time. It is given back when the daemon has a moment.
 void keep_freed_memory() {
   constexpr int kKept = 1'000'000;  // bytes a thread, at most
   mallopt(M_TRIM_THRESHOLD, kKept);
@@ -77,7 +77,8 @@ int serve(const ServeArguments& arguments) {
             << (arguments.cores == 1 ? " core" : " cores") << ", data in " << data.path().string()
             << std::endl;
   if (!std::cout) return kExitError;  // whoever waits for this line would wait for ever
-  const bool is_recorded = work_until_terminated(*service, [&] { server.reopen_log(); });
+  const bool is_recorded = work_until_terminated(
+      *service, [&] { server.reopen_log(); }, [&] { server.give_back_memory(); });
   const int code = is_recorded ? kExitDone : kExitError;
   end_soon(code);
   return code;

@@ -26,7 +26,9 @@ sigset_t set_of(std::span<const int> list) {
   return signals;
 }
 
-/// The signal that came within that time, or -1.
+constexpr int kNone = -1;
+
+/// The signal that came within that time, or kNone.
 int wait_for_signal(long milliseconds) {
   const sigset_t signals = set_of(kDaemonSignals);
   const timespec longest{milliseconds / 1000, milliseconds % 1000 * 1000000};
@@ -68,12 +70,14 @@ EndAtOnce::~EndAtOnce() {
 
 void wake_loop() { kill(getpid(), SIGUSR1); }
 
-bool work_until_terminated(Service& service, const std::function<void()>& reopen_logs) {
+bool work_until_terminated(Service& service, const std::function<void()>& reopen_logs,
+                           const std::function<void()>& tidy) {
   for (bool draining = false;;) {
     const bool is_well = tick(service);
     if (draining && service.has_ended()) return service.is_idle();
     const int signal = wait_for_signal(is_well || draining ? kTick : kPause);
     if (signal == SIGHUP) reopen_logs();
+    if (signal == kNone) tidy();
     if (signal != SIGTERM && signal != SIGINT) continue;
     draining = true;
     service.drain();

@@ -31,6 +31,7 @@ class Connection : public httplib::Stream {
   const std::optional<Response>& refusal() const { return refusal_; }
   const Head& head() const { return head_; }
   bool has_begun() const { return !received_.empty(); }
+  bool has_body() const { return !refusal_ && head_.content_length > 0; }
 
   /// Sends what the client takes now; false once it takes nothing more.
   bool send_unsent() const;

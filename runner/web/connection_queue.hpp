@@ -1,5 +1,6 @@
 #pragma once
 // Connections whose request is complete and waits for a thread.
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -11,6 +12,9 @@ namespace capstan {
 
 class ConnectionQueue {
  public:
+  /// The cases of a large study take a second: the other threads stay free for short answers.
+  static constexpr int kMostBodies = 6;
+
   void push(std::unique_ptr<Connection> connection) {
     const std::lock_guard lock(mutex_);
     bytes_ += connection->bytes_held();
@@ -18,15 +22,27 @@ class ConnectionQueue {
     changed_.notify_one();
   }
 
-  /// Waits for a connection; nothing once the queue is closed and empty.
+  /// Waits for a connection that may be answered now; nothing once the queue is closed and empty.
   std::unique_ptr<Connection> pop() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return is_closed_ || !waiting_.empty(); });
-    if (waiting_.empty()) return nullptr;
-    std::unique_ptr<Connection> first = std::move(waiting_.front());
-    waiting_.pop_front();
+    Waiting::iterator next;
+    changed_.wait(lock, [&] {
+      next = first_allowed();
+      return next != waiting_.end() || (is_closed_ && waiting_.empty());
+    });
+    if (next == waiting_.end()) return nullptr;
+    std::unique_ptr<Connection> first = std::move(*next);
+    waiting_.erase(next);
     bytes_ -= first->bytes_held();
+    if (first->has_body()) ++bodies_;
     return first;
+  }
+
+  /// Of a connection that pop() gave.
+  void was_answered(const Connection& connection) {
+    const std::lock_guard lock(mutex_);
+    if (connection.has_body()) --bodies_;
+    changed_.notify_all();
   }
 
   void close() {
@@ -47,9 +63,17 @@ class ConnectionQueue {
   }
 
  private:
+  using Waiting = std::deque<std::unique_ptr<Connection>>;
+
+  Waiting::iterator first_allowed() {
+    return std::find_if(waiting_.begin(), waiting_.end(),
+                        [&](const auto& each) { return bodies_ < kMostBodies || !each->has_body(); });
+  }
+
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<std::unique_ptr<Connection>> waiting_;
+  Waiting waiting_;
+  int bodies_ = 0;  ///< requests with a body that are being answered
   std::size_t bytes_ = 0;
   bool is_closed_ = false;
 };

@@ -64,7 +64,7 @@ void allow_quick_restart(int socket) {
 
 /// What a large answer took goes back to the system: sixteen threads would keep a share each. After every answer
 /// that would take a third of the time.
-void give_back_memory(std::size_t answer_bytes) {
+void give_back_large(std::size_t answer_bytes) {
   constexpr std::size_t kLarge = 256 << 10;
   static std::mutex trimming;
   if (answer_bytes < kLarge) return;
@@ -120,20 +120,35 @@ int HttpServer::listen_at(const Address& address) {
   return port;
 }
 
+/// A small answer may have taken much: a phase diagram is made of all cases of its study.
+void HttpServer::give_back_memory() {
+  if (has_answered_.exchange(false)) malloc_trim(0);
+}
+
 void HttpServer::serve_all() {
   while (std::unique_ptr<Connection> connection = complete_.pop()) {
     ++traffic().connections;
     try {
-      serve(*connection);
-      report(*connection);
+      answer(*connection);
       const std::size_t size = connection->bytes_written();
       loop_.finish(std::move(connection));
-      give_back_memory(size);
+      has_answered_ = true;
+      give_back_large(size);
     } catch (const std::exception& error) {
       std::clog << "capstan: a connection: " << error.what() << std::endl;
     }
     --traffic().connections;
   }
+}
+
+void HttpServer::answer(Connection& connection) {
+  const struct AtItsEnd {
+    ConnectionQueue& queue;
+    Connection& connection;
+    ~AtItsEnd() { queue.was_answered(connection); }
+  } at_its_end{complete_, connection};
+  serve(connection);
+  report(connection);
 }
 
 void HttpServer::serve(Connection& connection) {

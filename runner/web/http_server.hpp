@@ -37,10 +37,12 @@ class HttpServer : private httplib::Server {
   /// Answers the request of a connection that somebody else has accepted.
   void adopt(int socket) { loop_.adopt(socket); }
   void reopen_log() { log_.reopen(); }
+  void give_back_memory();
 
  private:
   void configure();
   void serve_all();
+  void answer(Connection& connection);
   void serve(Connection& connection);
   std::optional<Response> refusal_of(const Head& head) const;
   void send(httplib::Response& out, const Response& response);
@@ -54,6 +56,7 @@ class HttpServer : private httplib::Server {
   ConnectionQueue complete_;
   SocketLoop loop_;
   std::vector<std::thread> threads_;
+  std::atomic<bool> has_answered_ = false;  ///< since the memory was given back
 };
 
 }  // namespace capstan

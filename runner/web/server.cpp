@@ -13,6 +13,8 @@ Server::~Server() = default;
 
 void Server::reopen_log() { http_->reopen_log(); }
 
+void Server::give_back_memory() { http_->give_back_memory(); }
+
 void Server::serve(Service& service) { http_->set_service(service); }
 
 }  // namespace capstan

@@ -26,6 +26,9 @@ class Server {
   /// The request log was moved away: it goes on in a new file.
   void reopen_log();
 
+  /// What the answers since the last call took goes back to the system.
+  void give_back_memory();
+
   /// With the port that was found, if any free one was asked for.
   const Address& address() const { return address_; }
 

@@ -4,6 +4,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <vector>
+
+#include "runner/web/connection_queue.hpp"
 #include "tests/support/raw_connection.hpp"
 
 namespace capstan {
@@ -74,6 +77,31 @@ TEST_F(ConnectionTest, NothingIsKeptForAClientThatIsGone) {
   EXPECT_FALSE(server_->send_unsent());
   EXPECT_EQ(server_->unsent(), 0u);
   client_ = dup(0);
+}
+
+/// A connection whose request has come.
+std::unique_ptr<Connection> complete(const std::string& request) {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends) != 0) std::abort();
+  auto connection = std::make_unique<Connection>(ends[1]);
+  EXPECT_EQ(::send(ends[0], request.data(), request.size(), 0), static_cast<ssize_t>(request.size()));
+  EXPECT_EQ(connection->take_in([](const Head&) { return std::nullopt; }), Connection::Input::complete);
+  close(ends[0]);
+  return connection;
+}
+
+TEST(ConnectionQueue, LetsShortRequestsPassStudiesWhileManyAreUnderWay) {
+  const std::string study = request_text("POST", "/v1/studies", "", "{\"a\": 1}");
+  ConnectionQueue queue;
+  std::vector<std::unique_ptr<Connection>> under_way;
+  for (int i = 0; i <= ConnectionQueue::kMostBodies; ++i) queue.push(complete(study));
+  queue.push(complete(request_text("GET", "/healthz")));
+  for (int i = 0; i < ConnectionQueue::kMostBodies; ++i) under_way.push_back(queue.pop());
+  for (const auto& each : under_way) EXPECT_EQ(each->head().method, "POST");
+  EXPECT_EQ(queue.pop()->head().method, "GET");
+  queue.was_answered(*under_way.back());
+  EXPECT_EQ(queue.pop()->head().method, "POST");
+  EXPECT_EQ(queue.size(), 0u);
 }
 
 }  // namespace
