@@ -19,7 +19,7 @@ namespace capstan {
 namespace {
 
 /// What one request has freed serves the next: to give it back to the system each time takes a third of the
-/// daemon's time. It is given back when the daemon has a moment.
+/// daemon's time. HttpServer gives it back some times a second.
 void keep_freed_memory() {
   constexpr int kKept = 1'000'000;  // bytes a thread, at most
   mallopt(M_TRIM_THRESHOLD, kKept);

@@ -26,9 +26,7 @@ sigset_t set_of(std::span<const int> list) {
   return signals;
 }
 
-constexpr int kNone = -1;
-
-/// The signal that came within that time, or kNone.
+/// The signal that came within that time, or -1.
 int wait_for_signal(long milliseconds) {
   const sigset_t signals = set_of(kDaemonSignals);
   const timespec longest{milliseconds / 1000, milliseconds % 1000 * 1000000};
@@ -77,7 +75,7 @@ bool work_until_terminated(Service& service, const std::function<void()>& reopen
     if (draining && service.has_ended()) return service.is_idle();
     const int signal = wait_for_signal(is_well || draining ? kTick : kPause);
     if (signal == SIGHUP) reopen_logs();
-    if (signal == kNone) tidy();
+    tidy();
     if (signal != SIGTERM && signal != SIGINT) continue;
     draining = true;
     service.drain();

@@ -27,7 +27,7 @@ void wake_loop();
 /// (a full disk) is said on standard error and tried again after a while. False if the end of a run could not
 /// be recorded: the next daemon finds it in the run directory.
 /// \param reopen_logs  called at SIGHUP
-/// \param tidy  called after a quarter of a second in which no run and no study has changed
+/// \param tidy  called often
 bool work_until_terminated(Service& service, const std::function<void()>& reopen_logs,
                            const std::function<void()>& tidy);
 

@@ -122,7 +122,11 @@ int HttpServer::listen_at(const Address& address) {
 
 /// A small answer may have taken much: a phase diagram is made of all cases of its study.
 void HttpServer::give_back_memory() {
-  if (has_answered_.exchange(false)) malloc_trim(0);
+  constexpr std::chrono::milliseconds kMoment{250};
+  const auto now = Connection::Steady::now();
+  if (now < given_back_ + kMoment || !has_answered_.exchange(false)) return;
+  malloc_trim(0);
+  given_back_ = now;
 }
 
 void HttpServer::serve_all() {

@@ -37,7 +37,7 @@ class HttpServer : private httplib::Server {
   /// Answers the request of a connection that somebody else has accepted.
   void adopt(int socket) { loop_.adopt(socket); }
   void reopen_log() { log_.reopen(); }
-  void give_back_memory();
+  void give_back_memory();  ///< called by one thread
 
  private:
   void configure();
@@ -57,6 +57,7 @@ class HttpServer : private httplib::Server {
   SocketLoop loop_;
   std::vector<std::thread> threads_;
   std::atomic<bool> has_answered_ = false;  ///< since the memory was given back
+  Connection::Steady::time_point given_back_;
 };
 
 }  // namespace capstan

@@ -26,7 +26,7 @@ class Server {
   /// The request log was moved away: it goes on in a new file.
   void reopen_log();
 
-  /// What the answers since the last call took goes back to the system.
+  /// What answers took goes back to the system, unless some did a moment ago.
   void give_back_memory();
 
   /// With the port that was found, if any free one was asked for.
