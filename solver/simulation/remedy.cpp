@@ -57,6 +57,13 @@ std::string of_collapse(const Case& c, const SurfaceQuality& surface) {
          " degrees): raise E_b, lower Ca, or take more nodes.";
 }
 
+/// Little viscosity inside leaves short waves of the membrane undamped; a lattice smooths them.
+std::string of_a_thin_inside(const Case& c) {
+  if (c.fluid != Fluid::stokes || !(c.V < 0.5)) return "";
+  return "An inside this thin (V = " + rounded(c.V) +
+         ") hardly damps the membrane: take the fluid quasisteady, raise V, or lower Ca.";
+}
+
 }  // namespace
 
 bool is_lost(const SurfaceQuality& surface) {
@@ -70,6 +77,7 @@ std::string remedy(const Case& c, const SurfaceQuality& surface, bool of_motion)
   std::string all;
   for (const std::string& one : {of_step, of_folds(c, surface), of_collapse(c, surface)})
     if (!one.empty()) all += (all.empty() ? "" : " ") + one;
+  if (all.empty() && of_motion) all = of_a_thin_inside(c);
   if (all.empty() && of_motion)
     return "The forces of the membrane are too strong: raise Ca, or lower E_b, C or c0.";
   return all;

@@ -99,11 +99,14 @@ std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
   return std::nullopt;
 }
 
-/// On a surface that is lost a step that is refused shrinks without end, and the flow costs ever more.
+/// On a surface that is lost a step that is refused shrinks without end, and the flow costs ever more. On any
+/// other a run whose steps are refused again and again within one unit of kt would take for ever.
 std::optional<Outcome> Simulation::refusal(const StepReport& step) {
-  constexpr int kMostRefusals = 20;
+  constexpr int kMostOnLostSurface = 20;
+  constexpr double kMostRecent = 100;  // stiff membranes that reach their end have up to 40
   if (step.refusals > 0 && is_lost(surface_quality(sphere_.mesh, now_.positions))) refusals_ += step.refusals;
-  if (refusals_ <= kMostRefusals) return std::nullopt;
+  recent_refusals_ = recent_refusals_ * std::exp(before_.kt - now_.kt) + step.refusals;
+  if (refusals_ <= kMostOnLostSurface && recent_refusals_ <= kMostRecent) return std::nullopt;
   return stopped(Stop::diverged, "the steps become ever shorter");
 }
 
@@ -212,6 +215,7 @@ void Simulation::save_checkpoint(RunOutput& output) const {
   archive.put("iterations_since_record", iterations_since_record_);
   archive.put("last_flow_error", last_flow_error_);
   archive.put("refusals", refusals_);
+  archive.put("recent_refusals", recent_refusals_);
   output.checkpoint(std::move(archive));
 }
 
@@ -231,6 +235,7 @@ void Simulation::load(const StateArchive& archive) {
   iterations_since_record_ = int(archive.number("iterations_since_record"));
   last_flow_error_ = archive.number("last_flow_error");
   refusals_ = int(archive.number("refusals"));
+  recent_refusals_ = archive.number("recent_refusals");
 }
 
 }  // namespace capstan

@@ -111,6 +111,7 @@ class Simulation {
   int iterations_since_record_ = 0;
   double last_flow_error_ = 0;
   int refusals_ = 0;  ///< of steps, on a surface that is lost
+  double recent_refusals_ = 0;  ///< of steps, on any surface; each fades with exp(-kt)
   RunStatistics statistics_;
 };
 

@@ -50,6 +50,13 @@ TEST(Remedy, OfTheTransientFlowIsASofterMembrane) {
   EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.1, "Re": 5})"), kSmooth, true), HasSubstr("raise Ca"));
 }
 
+TEST(Remedy, OfAThinInsideInBoundaryIntegralsIsALatticeOrMoreViscosity) {
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 4, "V": 0.01, "fluid": "stokes"})"), kSmooth, true),
+              AllOf(HasSubstr("take the fluid quasisteady"), HasSubstr("raise V")));
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 4, "V": 1, "fluid": "stokes"})"), kSmooth, true),
+              HasSubstr("raise Ca"));
+}
+
 TEST(Remedy, IsThereForEveryLostMotion) {
   EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.01, "E_b": 1, "c0": -20})"), kSmooth, true),
               HasSubstr("lower E_b, C or c0"));

@@ -79,6 +79,17 @@ TEST(Simulation, TooLargeATimeStepStopsWithItsTimeAndReasonAndKeepsTheHistory) {
   }
 }
 
+TEST(Simulation, WhoseStepsAreRefusedAgainAndAgainStopsOnASmoothSurfaceToo) {
+  const Case thin = parsed_case(
+      R"({"Ca": 1, "V": 0.05, "fluid": "stokes", "until": {"kt": 3}, "fidelity": {"nodes": 162}})");
+  MemoryOutput output;
+  Simulation simulation(thin);
+  const Outcome outcome = simulation.run(output);
+  EXPECT_EQ(outcome.stop, Stop::diverged);
+  EXPECT_THAT(outcome.message, HasSubstr("steps become ever shorter"));
+  EXPECT_THAT(outcome.message, HasSubstr("take the fluid quasisteady"));
+}
+
 TEST(Simulation, ThatBreaksDownShowsItsLastSoundStateAndWhatCameOfItEvenWithoutShapes) {
   Case c = stiff_case(0.2);
   c.outputs.shapes_every = 0;
