@@ -250,7 +250,8 @@ void start_from_preset(ObjectReader& reader, const char* key, const json& name, 
   if (const FidelityPreset* preset = find_preset(reader.is_one_of(key, name, names))) fidelity = preset_for(c, *preset);
 }
 
-void read_knobs(ObjectReader& knobs, const Case& c, Fidelity& fidelity) {
+/// \param may_have_contrast  also where V is faulty
+void read_knobs(ObjectReader& knobs, const Case& c, bool may_have_contrast, Fidelity& fidelity) {
   if (const json* name = knobs.take("preset")) start_from_preset(knobs, "preset", *name, c, fidelity);
   knobs.number("dx", fidelity.dx, {0.02, 0.5});
   knobs.number("box", fidelity.box, {4, 100});
@@ -264,7 +265,7 @@ void read_knobs(ObjectReader& knobs, const Case& c, Fidelity& fidelity) {
   knobs.number("tolerance", fidelity.tolerance, {1e-12, 0.1});
   for (const char* key : {"scheme", "stepper", "tolerance", "kdt"})
     knobs.without_effect(key, c.fluid != Fluid::transient, "the transient flow's time step is set by the lattice");
-  knobs.without_effect("tolerance", c.fluid != Fluid::stokes || c.has_viscosity_contrast(),
+  knobs.without_effect("tolerance", c.fluid != Fluid::stokes || may_have_contrast,
                        "at V = 1 boundary integrals give the flow without solving an equation");
   for (const char* key : {"dx", "box", "scheme"})
     knobs.without_effect(key, c.has_grid(), "boundary integrals have no grid");
@@ -301,13 +302,22 @@ void read_fidelity(ObjectReader& reader, Case& c) {
   std::optional<ObjectReader> knobs;
   if (given && given->is_object()) {
     knobs.emplace(*reader.nested("fidelity"));
-    read_knobs(*knobs, c, fidelity);
+    read_knobs(*knobs, c, c.has_viscosity_contrast() || reader.is_faulty("V"), fidelity);
   } else if (given) {
     start_from_preset(reader, "fidelity", *given, c, fidelity);
   }
   choose_time_step(knobs ? &*knobs : nullptr, c);
   if (knobs) knobs->finish();
   if (c.has_grid()) check_grid(reader, c);
+}
+
+/// A key that has no effect is one fault, whatever its value.
+void leave_out_faults_of_keys_without_effect(Issues& issues) {
+  std::set<std::string> useless;
+  for (const Issue& issue : issues)
+    if (issue.without_effect) useless.insert(issue.pointer);
+  std::erase_if(issues,
+                [&](const Issue& issue) { return !issue.without_effect && useless.contains(issue.pointer); });
 }
 
 }  // namespace
@@ -329,6 +339,7 @@ ParsedCase parse_case(const json& object) {
   read_outputs(reader, c.outputs);
   read_fidelity(reader, c);
   reader.finish();
+  leave_out_faults_of_keys_without_effect(parsed.issues);
   if (parsed.issues.empty()) parsed.issues = limits_exceeded(c);
   if (parsed.issues.empty()) parsed.value = c;
   return parsed;

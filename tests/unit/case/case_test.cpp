@@ -124,6 +124,19 @@ TEST(ParseCase, RefusesKeysWithoutEffectAndSaysWhy) {
               HasSubstr("no effect"));
 }
 
+TEST(ParseCase, AKeyWithoutEffectIsOneFaultWhateverItsValue) {
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"bending", "helfrich"}}), HasSubstr("no effect"));
+  EXPECT_THAT(only_message({{"Ca", 0.1}, {"c0", "unifrom"}}), HasSubstr("no effect"));
+  EXPECT_THAT(faulty_pointers(json::parse(R"({"Ca": 0.1, "fluid": "stokes",
+    "fidelity": {"dx": -1, "kdt": -4, "tolerance": 5}})")),
+              UnorderedElementsAre("/fidelity/dx", "/fidelity/kdt", "/fidelity/tolerance"));
+}
+
+TEST(ParseCase, FaultyVMakesNoToleranceUseless) {
+  const json document = {{"Ca", 0.1}, {"V", -2}, {"fluid", "stokes"}, {"fidelity", {{"tolerance", 1e-3}}}};
+  EXPECT_THAT(faulty_pointers(document), ElementsAre("/V"));
+}
+
 TEST(ParseCase, MarksKeysWithoutEffectSoThatTheyCanBeLeftOut) {
   EXPECT_TRUE(parse_case({{"Ca", 0.1}, {"C", 5}}).issues.at(0).without_effect);
   EXPECT_FALSE(parse_case({{"Ca", -0.1}}).issues.at(0).without_effect);
