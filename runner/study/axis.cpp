@@ -6,6 +6,9 @@
 #include <cmath>
 #include <map>
 
+#include "solver/case/mistyped_keys.hpp"
+#include "solver/case/nearest_word.hpp"
+
 namespace capstan {
 namespace {
 
@@ -88,7 +91,9 @@ class RangeReader {
 
   void read_scale(AxisRange& range) {
     const json scale = object_.value("scale", json("linear"));
-    require(scale == "linear" || scale == "log", "scale", "must be one of: linear, log");
+    const std::string typed = scale.is_string() ? scale.get<std::string>() : "";
+    require(scale == "linear" || scale == "log", "scale",
+            "must be one of: linear, log" + suggestion(typed, {"linear", "log"}));
     range.logarithmic = scale == "log";
   }
 
@@ -142,8 +147,9 @@ std::optional<Axis> read_axis(const std::string& parameter, const json& given, I
   const std::string pointer = "/axes/" + parameter;
   if (given.is_array() && !given.empty()) return Axis(parameter, listed_once(given));
   if (given.is_object()) {
-    Issues faults;
-    const AxisRange range = RangeReader(given, pointer, faults).read();
+    json corrected = given;
+    Issues faults = rename_mistyped_keys(corrected, {"from", "to", "count", "scale"}, pointer);
+    const AxisRange range = RangeReader(corrected, pointer, faults).read();
     if (faults.empty()) return Axis(parameter, range);
     issues.insert(issues.end(), faults.begin(), faults.end());
   } else if (given.is_array()) {

@@ -38,6 +38,13 @@ std::optional<std::size_t> axis_of(const std::string& case_pointer, const std::v
   return std::nullopt;
 }
 
+/// Its faults are too many, or too long, to be found again at each point.
+bool is_large(const json& value) {
+  constexpr std::size_t kLongestWord = 40;
+  return value.is_structured() ||
+         (value.is_string() && value.get_ref<const std::string&>().size() > kLongestWord);
+}
+
 /// Takes out what stands at the pointer, if anything does.
 void erase_at(json& object, const std::string& pointer) {
   const json::json_pointer place(pointer);
@@ -162,8 +169,9 @@ class StudyReader {
     return &*base;
   }
 
-  /// A key of the base or a value of an axis at which a fault was found is not tried again: so the time grows
-  /// with the document and with the number of cases, not with their product.
+  /// A key of the base or a large value of an axis at which a fault was found is not tried again: so the time
+  /// grows with the document and with the number of cases, not with their product. A small value stays: what
+  /// depends on it is then no fault of its own.
   void expand(json base, Study& study) {
     double points = product_size(study.axes);
     const bool is_too_large = points > static_cast<double>(kMostCases);
@@ -188,14 +196,20 @@ class StudyReader {
   std::optional<Case> read_case(json& base, const std::vector<Axis>& axes, const AxisIndices& indices) {
     json flat = base;
     std::set<std::string> left_out = faulty_axes_;
-    for (std::size_t axis = 0; axis < axes.size(); ++axis)
-      if (faulty_values_.contains({axis, indices[axis]}))
-        left_out.insert(axes[axis].parameter());
+    std::set<std::string> known_to_be_faulty = faulty_axes_;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      const std::string parameter = axes[axis].parameter();
+      const json value = axes[axis].value(indices[axis]);
+      const bool is_faulty = faulty_values_.contains({axis, indices[axis]});
+      if (is_faulty) known_to_be_faulty.insert(parameter);
+      if (is_faulty && is_large(value))
+        left_out.insert(parameter);
       else
-        flat[axes[axis].parameter()] = axes[axis].value(indices[axis]);
+        flat[parameter] = value;
+    }
     const ParsedCase parsed = left_out.empty() ? read_with_effect(flat, axes, indices) : parse_case(flat);
     for (const Issue& issue : parsed.issues)
-      if (!left_out.contains(first_token(issue.pointer)) && !issue.without_effect)
+      if (!known_to_be_faulty.contains(first_token(issue.pointer)) && !issue.without_effect)
         add_case_fault(issue, base, axes, indices);
     for (const Choice& choice : parsed.choices) ++choices_[in_words(choice)];
     if (parsed.value)

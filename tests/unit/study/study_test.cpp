@@ -167,6 +167,23 @@ TEST(Study, FaultyAxisMakesNoOtherKeyUseless) {
   EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1, "C": 5})", R"({"law": "skalak"})")), ElementsAre("/axes/law"));
 }
 
+TEST(Study, FaultyValueOfAnAxisMakesNoOtherKeyUseless) {
+  const json document =
+      conditional(R"({"Ca": 0.1})", R"({"law": ["neo-hookean", "Skalak"], "C": [1, 2, 3]})");
+  EXPECT_THAT(faults_of(document), ElementsAre("/axes/law/1"));
+  const json also_useless = conditional("{}", R"({"Ca": [-1, 0.1], "V": [1, 2], "C": [1, 2]})");
+  EXPECT_THAT(faults_of(also_useless), UnorderedElementsAre("/axes/Ca/0", "/axes/C/0", "/axes/C/1"));
+}
+
+TEST(Study, MistypedKeyOfARangeIsOneFaultThatNamesTheNearest) {
+  const Issues issues =
+      parse_study(conditional("{}", R"({"Ca": {"form": 0.1, "to": 1, "count": 3, "scale": "Log"}})")).issues;
+  ASSERT_EQ(issues.size(), 2u);
+  EXPECT_EQ(issues[0].pointer + ": " + issues[0].message,
+            "/axes/Ca/form: unknown key; did you mean \"from\"?");
+  EXPECT_THAT(issues[1].message, HasSubstr("did you mean \"log\"?"));
+}
+
 TEST(Study, WhatTheSolverChoosesIsSaid) {
   const auto study =
       parse_study(conditional("{}", R"({"Ca": [0.1, 0.2], "fluid": ["auto", "stokes"]})")).value;
