@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iostream>
 #include <numeric>
+#include <set>
 
 #include "runner/bench/cost_model.hpp"
 #include "runner/execute/exit_code.hpp"
@@ -35,6 +36,12 @@ nlohmann::ordered_json rows_of(const Study& study, const std::vector<double>& se
   return rows;
 }
 
+std::set<std::size_t> columns_of_axes(const Study& study) {
+  std::set<std::size_t> columns;
+  for (std::size_t axis = 0; axis < study.axes.size(); ++axis) columns.insert(axis);
+  return columns;
+}
+
 }  // namespace
 
 int estimate_study(const Study& study, int cores, bool json) {
@@ -54,7 +61,7 @@ int estimate_study(const Study& study, int cores, bool json) {
               << '\n';
     return kExitDone;
   }
-  BenchReport(std::cout, false).add(study.name + ": seconds of one core", rows);
+  BenchReport(std::cout, false).add(study.name + ": seconds of one core", rows, columns_of_axes(study));
   std::cout << '\n'
             << seconds.size() << (seconds.size() == 1 ? " case: " : " cases: ") << duration(total)
             << " of one core, about " << duration(wall) << " on " << cores

@@ -85,7 +85,7 @@ nlohmann::ordered_json row_of(const char* fluid, const Grid* grid, const Run& ru
 void print_head(const std::filesystem::path& file, const Case& c) {
   std::printf("\n%s: %s, Ca = %g, V = %g, at kt = %g, %d nodes\n\n", file.stem().c_str(),
               word(c.shape).data(), c.Ca, c.V, c.until.kt, c.fidelity.nodes);
-  std::printf("| fluid       |   dx |  box |   D_xy |    differs | theta/pi | differs | seconds |\n");
+  std::printf("| fluid       |   dx |  box |   D_xy |    differs | θ/π      | differs | seconds |\n");
   std::printf("|---|---|---|---|---|---|---|---|\n");
 }
 

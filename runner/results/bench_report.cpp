@@ -1,17 +1,19 @@
 #include "runner/results/bench_report.hpp"
 
 #include <ostream>
+#include <utility>
 
 #include "runner/results/table.hpp"
 
 namespace capstan {
 
-void BenchReport::add(const std::string& title, const nlohmann::ordered_json& rows) {
+void BenchReport::add(const std::string& title, const nlohmann::ordered_json& rows,
+                      std::set<std::size_t> exact) {
   if (json_) {
     tables_.push_back({{"title", title}, {"rows", rows}});
     return;
   }
-  Table table;
+  Table table{{}, {}, std::move(exact)};
   for (const auto& [key, value] : rows.front().items()) table.columns.push_back(key);
   for (const auto& row : rows) {
     std::vector<nlohmann::ordered_json> values;

@@ -2,6 +2,7 @@
 // Figures as they are measured: tables of named values, for people or for programs.
 #include <iosfwd>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 namespace capstan {
@@ -12,8 +13,9 @@ class BenchReport {
  public:
   BenchReport(std::ostream& out, bool json) : out_(out), json_(json) {}
 
-  /// \param rows  JSON objects with the same keys
-  void add(const std::string& title, const nlohmann::ordered_json& rows);
+  /// \param rows   JSON objects with the same keys
+  /// \param exact  columns whose numbers are shown in full also to people
+  void add(const std::string& title, const nlohmann::ordered_json& rows, std::set<std::size_t> exact = {});
   void finish();
 
  private:

@@ -60,9 +60,9 @@ std::string short_name(const std::string& path) {
   return path.starts_with("until.") || path.starts_with("outputs.") ? path : path.substr(path.find('.') + 1);
 }
 
-/// What was resolved, the solver's numerics, and how the runs ended.
-bool may_vary_in_summary(const std::string& path) {
-  return is_parameter(path) || path == "trust.numerics_version" || path == "stop";
+/// The solver's numerics, and how the runs ended: unknown before the end of a run.
+bool is_known_at_the_end(const std::string& path) {
+  return path == "trust.numerics_version" || path == "stop";
 }
 
 /// Of words and of the unit 1 the value itself.
@@ -151,7 +151,12 @@ const std::vector<std::string>& known_columns() {
                                                    "trust.volume_drift",
                                                    "trust.area_drift",
                                                    "trust.worst_flow_error",
-                                                   "trust.left_out"};
+                                                   "trust.left_out",
+                                                   "trust.surface.largest_dihedral",
+                                                   "trust.surface.folded_edges",
+                                                   "trust.surface.smallest_angle",
+                                                   "trust.surface.folded_from",
+                                                   "trust.surface.lost_from"};
   return columns;
 }
 
@@ -172,6 +177,11 @@ void ResultColumns::look_at(const ordered_json& cases) {
 bool ResultColumns::varies(const std::string& path) const {
   const auto found = seen_.find(path);
   return found != seen_.end() && (found->second.differs || found->second.count < points_);
+}
+
+bool ResultColumns::stands_in_summary(const std::string& path) const {
+  if (is_known_at_the_end(path)) return seen_.contains(path) && seen_.at(path).differs;
+  return is_parameter(path) && varies(path);
 }
 
 bool ResultColumns::has_words(const std::string& path) const {
@@ -202,11 +212,10 @@ std::vector<ResultColumn> ResultColumns::summary(const ordered_json& study) cons
     if (resolved_otherwise_.contains(parameter)) columns.push_back({"resolved " + parameter, parameter});
   }
   for (const std::string& path : known_columns())
-    if (may_vary_in_summary(path) && varies(path) && !axes.contains(path))
-      columns.push_back({short_name(path), path});
+    if (stands_in_summary(path) && !axes.contains(path)) columns.push_back({short_name(path), path});
   for (const char* path :
        {"state", "motion", "kt", "final.D_xy", "final.theta", "evidence.margin", "message"})
-    columns.push_back(path == std::string("final.theta") ? ResultColumn{"theta/pi", path, std::numbers::pi}
+    columns.push_back(path == std::string("final.theta") ? ResultColumn{"θ/π", path, std::numbers::pi}
                                                          : ResultColumn{short_name(path), path});
   if (has_words("trust.warnings")) columns.push_back({"warnings", "trust.warnings"});
   return columns;
@@ -214,7 +223,10 @@ std::vector<ResultColumn> ResultColumns::summary(const ordered_json& study) cons
 
 Table table_of(const ordered_json& cases, const std::vector<ResultColumn>& columns) {
   Table table;
-  for (const ResultColumn& column : columns) table.columns.push_back(column.name);
+  for (const ResultColumn& column : columns) {
+    if (column.path.starts_with("asked.")) table.exact.insert(table.columns.size());
+    table.columns.push_back(column.name);
+  }
   for (const ordered_json& shown : cases) {
     const Row values = row_of(shown);
     auto& row = table.rows.emplace_back();

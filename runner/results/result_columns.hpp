@@ -38,6 +38,7 @@ class ResultColumns {
     bool differs = false;
   };
   bool varies(const std::string& path) const;
+  bool stands_in_summary(const std::string& path) const;
   bool has_words(const std::string& path) const;
 
   std::map<std::string, Seen> seen_;

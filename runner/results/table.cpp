@@ -17,8 +17,19 @@ std::string number_text(double number, Format... format) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number, format...).ptr};
 }
 
-std::string short_text(const ordered_json& value) {
-  if (value.is_number_float()) return number_text(value.get<double>(), std::chars_format::general, 4);
+/// The columns that a text in UTF-8 takes on a terminal, if its characters are letters.
+std::size_t width_of(const std::string& text) {
+  const auto begins_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
+}
+
+std::string spaces_up_to(std::size_t width, const std::string& text) {
+  return std::string(width - std::min(width, width_of(text)), ' ');
+}
+
+std::string short_text(const ordered_json& value, bool is_exact) {
+  if (value.is_number_float() && !is_exact)
+    return number_text(value.get<double>(), std::chars_format::general, 4);
   const std::string text = printable(plain(value));
   return text.substr(0, text.find('\n'));  // the rest of a message is for `show`
 }
@@ -31,12 +42,17 @@ std::string quoted(const std::string& text) {
 }
 
 std::string aligned_left(const std::string& text, std::size_t width) {
-  return text + std::string(width - std::min(width, text.size()), ' ');
+  return text + spaces_up_to(width, text);
+}
+
+std::string cell_text(const Table& table, std::size_t row, std::size_t column) {
+  return short_text(table.rows[row][column], table.exact.contains(column));
 }
 
 std::size_t width_of(const Table& table, std::size_t column) {
-  std::size_t width = table.columns[column].size();
-  for (const auto& row : table.rows) width = std::max(width, short_text(row[column]).size());
+  std::size_t width = width_of(table.columns[column]);
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    width = std::max(width, width_of(cell_text(table, row, column)));
   return width;
 }
 
@@ -55,7 +71,7 @@ std::string plain(const ordered_json& value) {
 }
 
 std::string aligned_right(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + text;
+  return spaces_up_to(width, text) + text;
 }
 
 std::string without_trailing_spaces(std::string line) {
@@ -70,7 +86,7 @@ std::string as_text(const Table& table) {
     const auto aligned = is_numeric(table, column) ? aligned_right : aligned_left;
     lines[0] += aligned(table.columns[column], width) + "  ";
     for (std::size_t row = 0; row < table.rows.size(); ++row)
-      lines[row + 1] += aligned(short_text(table.rows[row][column]), width) + "  ";
+      lines[row + 1] += aligned(cell_text(table, row, column), width) + "  ";
   }
   std::string text;
   for (const std::string& line : lines) text += without_trailing_spaces(line) + "\n";

@@ -1,6 +1,7 @@
 #pragma once
 // Rows of values as text: aligned columns for people, CSV for programs.
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@ namespace capstan {
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<nlohmann::ordered_json>> rows;
+  std::set<std::size_t> exact = {};  ///< columns whose numbers are shown in full also to people
 };
 
 /// A value as people write it: words without quotes, shortest round-trip numbers ("1", not "1.0"), "" for
@@ -18,7 +20,7 @@ std::string plain(const nlohmann::ordered_json& value);
 std::string aligned_right(const std::string& text, std::size_t width);
 std::string without_trailing_spaces(std::string line);
 
-/// Numbers aligned right and rounded to four digits, words left.
+/// Numbers aligned right and, unless their column is exact, rounded to four digits; words left.
 std::string as_text(const Table& table);
 
 /// RFC 4180, with a header; numbers in full.

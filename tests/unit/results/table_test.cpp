@@ -1,5 +1,6 @@
 #include "runner/results/table.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,6 +21,21 @@ TEST(Table, TextAlignsNumbersRightAndWordsLeft) {
             "  0.25  tumbling\n"
             "     1\n"
             "0.1235  transition\n");
+}
+
+TEST(Table, TextShowsExactColumnsInFull) {
+  const Table table{{"V", "D"}, {{1.000001, 0.123456}, {1.000002, 0.123457}}, {0}};
+  EXPECT_EQ(as_text(table),
+            "       V       D\n"
+            "1.000001  0.1235\n"
+            "1.000002  0.1235\n");
+}
+
+TEST(Table, TextAlignsByCharactersAndNotByBytes) {
+  EXPECT_EQ(as_text({{"θ/π", "motion"}, {{0.5, "é"}, {0.25, "tumbling"}}}),
+            " θ/π  motion\n"
+            " 0.5  é\n"
+            "0.25  tumbling\n");
 }
 
 TEST(Table, TextShowsTheFirstLineOfAMessage) {
@@ -71,6 +87,7 @@ TEST(FullTable, HasEverythingThatWasAskedForResolvedAndFound) {
                                         {{"stop", "reached_end"},
                                          {"trust",
                                           {{"volume_drift", 0.02},
+                                           {"surface", {{"largest_dihedral", 12.5}, {"lost_from", nullptr}}},
                                            {"numerics_version", 6},
                                            {"warnings", {"first", "second, \"quoted\""}}}},
                                          {"cost", {{"seconds", 1.5}}}}),
@@ -84,6 +101,7 @@ TEST(FullTable, HasEverythingThatWasAskedForResolvedAndFound) {
            {"until.classified", false},
            {"stop", "reached_end"},
            {"trust.volume_drift", 0.02},
+           {"trust.surface.largest_dihedral", 12.5},
            {"trust.numerics_version", 6},
            {"trust.warnings", "first; second, \"quoted\""},
            {"cost.seconds", 1.5}})
@@ -131,14 +149,32 @@ TEST(SummaryTable, ShowsTheAxesAsAskedForAndWhatVariesBeside) {
   const Table plain_table =
       summary_table(study_over({"Ca"}), {point(1, R"({"Ca": 0.1})"), point(2, R"({"Ca": 0.2})")});
   EXPECT_EQ(plain_table.columns, (std::vector<std::string>{"point", "case", "Ca", "state", "motion", "kt",
-                                                           "D_xy", "theta/pi", "margin", "message"}));
+                                                           "D_xy", "θ/π", "margin", "message"}));
+}
+
+TEST(SummaryTable, TellsValuesOfAnAxisApartHoweverCloseTheyAre) {
+  const Table table = summary_table(study_over({"V"}), {point(1, R"({"Ca": 0.1, "V": 1.000001})"),
+                                                        point(2, R"({"Ca": 0.1, "V": 1.000002})")});
+  EXPECT_THAT(as_text(table), testing::AllOf(testing::HasSubstr("1.000001"), testing::HasSubstr("1.000002")));
+}
+
+TEST(SummaryTable, HasNoColumnForWhatIsMerelyNotKnownYet) {
+  const ordered_json ended = {{"stop", "reached_end"}, {"trust", {{"numerics_version", 6}}}};
+  const ordered_json failed = {{"stop", "diverged"}};
+  const Table running =
+      summary_table(study_over({"Ca"}), {point(1, R"({"Ca": 0.1})", ended), point(2, R"({"Ca": 0.2})")});
+  EXPECT_EQ(cell(running, 0, "stop"), "no such column");
+  EXPECT_EQ(cell(running, 0, "numerics_version"), "no such column");
+  const Table all = summary_table(study_over({"Ca"}),
+                                  {point(1, R"({"Ca": 0.1})", ended), point(2, R"({"Ca": 0.2})", failed)});
+  EXPECT_EQ(cell(all, 1, "stop"), "diverged");
 }
 
 TEST(Table, SummaryShowsAnglesInUnitsOfPi) {
   const auto final = ordered_json::parse(R"({"final": {"theta": 1.5707963267948966}})");
   const auto cases = ordered_json::array({point(1, R"({"Ca": 0.1})", final)});
   const Table table = summary_table(study_over({"Ca"}), cases);
-  EXPECT_EQ(cell(table, 0, "theta/pi"), 0.5);
+  EXPECT_EQ(cell(table, 0, "θ/π"), 0.5);
 }
 
 }  // namespace
