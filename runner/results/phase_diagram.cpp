@@ -1,6 +1,7 @@
 #include "runner/results/phase_diagram.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "runner/results/table.hpp"
 #include "runner/results/typed_value.hpp"
@@ -78,6 +79,7 @@ class DiagramReader {
     const std::string name = text.substr(0, sign), value = text.substr(sign + 1);
     const PhaseAxis* axis = find(name);
     if (!axis) return fault("at", no_axis(name));
+    is_mentioned_.insert(name);
     if (name == wanted.x || name == wanted.y) return fault("at", name + " is drawn, so it cannot be fixed");
     const auto place = find_typed(axis->values, value);
     if (!place)
@@ -99,7 +101,7 @@ class DiagramReader {
   }
 
   void require_fixed(const PhaseAxis& axis, PhaseDiagram& diagram) {
-    if (diagram.at.contains(axis.parameter)) return;
+    if (diagram.at.contains(axis.parameter) || is_mentioned_.contains(axis.parameter)) return;
     if (axis.values.size() == 1)
       diagram.at[axis.parameter] = axis.values[0];
     else
@@ -108,6 +110,7 @@ class DiagramReader {
   }
 
   std::vector<PhaseAxis> axes_;
+  std::set<std::string> is_mentioned_;  ///< axes that `at` names, also with a value that they do not have
   Issues& issues_;
 };
 

@@ -65,11 +65,12 @@ double progress(Database& database, const std::string& study_id, const ordered_j
 }
 
 /// queued, running, paused, done or cancelled. What a paused study still runs does not change that it is
-/// paused.
+/// paused; nor does a cancellation that came after all cases had ended change that they are done.
 const char* state_of(const ordered_json& study) {
   const ordered_json& cases = study["cases"];
-  if (study["cancelled"]) return "cancelled";
-  if (cases["queued"] == 0 && cases["running"] == 0) return "done";
+  const bool has_ended = cases["queued"] == 0 && cases["running"] == 0;
+  if (study["cancelled"] && (!has_ended || cases["cancelled"] > 0)) return "cancelled";
+  if (has_ended) return "done";
   if (study["paused"]) return "paused";
   return cases["running"] > 0 ? "running" : "queued";
 }

@@ -93,7 +93,7 @@ TEST(PhaseDiagram, AxisThatIsNotFixedIsAFaultWithThePossibleValues) {
             "at: E_b is not fixed: say at which value, as in at=E_b=0; it has: 0, 0.01");
   EXPECT_EQ(fault_of(kThreeAxes, {"V", "E_b", {}}),
             "at: Ca is not fixed: say at which value, as in at=Ca=0.25; it has: 0.25, 0.75");
-  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=3"}}), "2 faults") << "no such value, and so not fixed";
+  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=3"}}), "at: E_b has no value 3; it has: 0, 0.01");
   EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "E_b=0.01"}}), "at: E_b is fixed twice");
   EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "Ca=0.25"}}), "at: Ca is drawn, so it cannot be fixed");
   EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "C=1"}}),

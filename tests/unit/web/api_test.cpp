@@ -158,6 +158,9 @@ TEST_F(ApiTest, QueryThatMakesNoSenseIsRefusedWithWhatIsAllowed) {
       {study + "/cases", {{"state", "Done"}}, "must be one of: queued"},
       {study + "/cases", {{"Ca", "0.25"}, {"Ca", "0.25"}}, "stands twice"},
       {study + "/cases", {{"Ca", ""}}, "has no value"},
+      {study + "/cases",
+       {{"fidelity", "Fast"}},
+       "must be one of: fast, standard, fine, paper; or an object of knobs"},
       {study + "/cases", {{"ca", "0.25"}}, "is unknown; there are: limit, after, state, motion"},
       {study + "/cases", {{"limit", "0"}}, "must be a whole number from 1 to 1000"},
       {study + "/cases", {{"limit", "1e3"}}, "must be a whole number from 1 to 1000"},
@@ -198,6 +201,9 @@ TEST_F(ApiTest, BodyThatARouteDoesNotTakeIsRefusedAndChangesNothing) {
       EXPECT_FALSE(json(response)["errors"].empty()) << change << bad;
     }
   EXPECT_EQ(ask("POST", path + "/retry", R"({"fidelity": "fine", "when": "now"})").status, 422);
+  for (const char* bad : {R"({"fidelity": "Fine"})", R"({"fidelity": ""})", R"({"fidelity": 5})",
+                          R"({"fidelity": {"nodes": 7}})"})
+    EXPECT_EQ(ask("POST", path + "/retry", bad).status, 422) << bad << ": also where no case has failed";
   EXPECT_EQ(ask("POST", path + "/priority", R"({"priority": 1, "when": "now"})").status, 422);
   EXPECT_EQ(ask("GET", path, "{\"a\": 1}").status, 422);
   const ordered_json study = json(get(path));
