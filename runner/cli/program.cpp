@@ -1,10 +1,13 @@
 #include "runner/cli/program.hpp"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -41,14 +44,6 @@ void add_json_flag(CLI::App& command, bool& json) {
 void add_study_ids(CLI::App& command, std::vector<std::string>& ids) {
   command
       .add_option("ID", ids, "the study, or several: its id, a beginning that no other id has, or its name")
-      ->required();
-}
-
-void add_study_id(CLI::App& command, std::vector<std::string>& ids) {
-  command
-      .add_option_function<std::string>(
-          "ID", [&ids](const std::string& id) { ids = {id}; },
-          "the study: its id, a beginning that no other id has, or its name")
       ->required();
 }
 
@@ -173,11 +168,12 @@ Action declare_show(CLI::App& command) {
 
 Action declare_watch(CLI::App& command) {
   auto arguments = std::make_shared<StudyArguments>();
-  add_study_id(command, arguments->ids);
+  add_study_ids(command, arguments->ids);
   command.add_flag("--json", arguments->json,
                    "print the study as JSON at the end; the progress goes to standard error");
   add_server_option(command, arguments->server);
   command.footer(
+      "Several studies are watched one after another.\n"
       "Exit code 0: all cases are done. 3: some have no answer.\n"
       "Example:\n  capstan watch quickstart-3f9c\n");
   return [arguments] { return watch_study(*arguments); };
@@ -239,7 +235,7 @@ Action declare_delete(CLI::App& command) {
 
 Action declare_retry(CLI::App& command) {
   auto arguments = std::make_shared<StudyArguments>();
-  auto fidelity = std::make_shared<std::string>();
+  auto fidelity = std::make_shared<std::optional<std::string>>();
   add_study_ids(command, arguments->ids);
   command
       .add_option("--fidelity", *fidelity, "compute the failed and diverged cases at this one, as \"fine\"")
@@ -248,21 +244,40 @@ Action declare_retry(CLI::App& command) {
   add_server_option(command, arguments->server);
   command.footer("Example:\n  capstan retry quickstart-3f9c --fidelity fine\n");
   return [arguments, fidelity] {
-    const nlohmann::json body = {{"fidelity", *fidelity}};
-    return change_study(*arguments, "retry", fidelity->empty() ? "" : body.dump());
+    if (!*fidelity) return change_study(*arguments, "retry");
+    return change_study(*arguments, "retry", nlohmann::json{{"fidelity", **fidelity}}.dump());
   };
+}
+
+/// The last of the words; the others are the studies.
+int take_priority(std::vector<std::string>& words) {
+  constexpr int kMost = 100;
+  const std::string typed = words.back();
+  words.pop_back();
+  int priority = 0;
+  const auto read = std::from_chars(typed.data(), typed.data() + typed.size(), priority);
+  const bool is_read = read.ec == std::errc() && read.ptr == typed.data() + typed.size();
+  if (!is_read || std::abs(priority) > kMost)
+    throw std::invalid_argument("the priority must be a whole number from -100 to 100, is \"" + typed + "\"");
+  if (words.empty())
+    throw std::invalid_argument("name the study before the priority: capstan priority ID " + typed);
+  return priority;
 }
 
 Action declare_priority(CLI::App& command) {
   auto arguments = std::make_shared<StudyArguments>();
-  auto priority = std::make_shared<int>();
-  add_study_id(command, arguments->ids);
-  command.add_option("N", *priority, "from -100 to 100; 0 at first")->required();
+  command
+      .add_option("ID", arguments->ids,
+                  "the study, or several: its id, a beginning that no other id has, or its name; then the "
+                  "priority N from -100 to 100, 0 at first")
+      ->type_name("N")
+      ->required();
   add_json_flag(command, arguments->json);
   add_server_option(command, arguments->server);
   command.footer("Example:\n  capstan priority quickstart-3f9c 10\n");
-  return [arguments, priority] {
-    return change_study(*arguments, "priority", "{\"priority\": " + std::to_string(*priority) + "}");
+  return [arguments] {
+    const int priority = take_priority(arguments->ids);
+    return change_study(*arguments, "priority", "{\"priority\": " + std::to_string(priority) + "}");
   };
 }
 

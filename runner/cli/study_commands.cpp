@@ -89,15 +89,21 @@ std::string cases_text(std::int64_t count, const std::string& kind = "") {
   return std::to_string(count) + (kind.empty() ? "" : " " + kind) + (count == 1 ? " case" : " cases");
 }
 
+/// What a cancellation leaves: "", or a part of a sentence.
+std::string left_text(std::int64_t cases) {
+  if (cases == 0) return "";
+  if (cases == 1) return ", 1 is still queued or running: it is about to stop, or another study wants it";
+  return ", " + std::to_string(cases) +
+         " are still queued or running: they are about to stop, or another study wants them";
+}
+
 /// What a change has done, in words.
 std::string change_text(const ordered_json& study, const std::string& change) {
   const auto changed = study["changed"].get<std::int64_t>();
   const auto queued = study["cases"]["queued"].get<std::int64_t>();
   const auto running = study["cases"]["running"].get<std::int64_t>();
   const std::string id = study["id"].get<std::string>() + ": ";
-  if (change == "cancel")
-    return id + "cancelled " + cases_text(changed) + ", " + std::to_string(queued + running) +
-           " are about to stop or wanted by another study\n";
+  if (change == "cancel") return id + "cancelled " + cases_text(changed) + left_text(queued + running) + "\n";
   if (change == "pause")
     return id + "paused, " + cases_text(queued, "queued") + " will not start, " + std::to_string(running) +
            " running go on\n";
@@ -145,9 +151,7 @@ int print_results(const StudyArguments& arguments) {
   Client client(arguments.server);
   const std::vector<std::string> ids = resolved(client, arguments, study_id);
   const bool csv = arguments.format == "csv", json = arguments.json || arguments.format == "json";
-  if (csv && ids.size() > 1)
-    throw std::invalid_argument("--format csv is one table of one study: give one id");
-  if (csv) write_results_csv(client, ids.front(), std::cout);
+  if (csv) write_results_csv(client, ids, std::cout);
   if (json) write_results_json(client, ids, std::cout);
   if (csv || json) return kExitDone;
   return print_answers(ids, false, [&](const std::string& id) {

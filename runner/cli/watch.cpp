@@ -2,9 +2,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "runner/cli/commands.hpp"
 #include "runner/cli/progress.hpp"
@@ -77,10 +80,18 @@ int watch_study(Client& client, const std::string& study_id, std::ostream& out, 
 
 int watch_study(const StudyArguments& arguments) {
   Client client(arguments.server);
-  const std::string id = study_id(client, arguments.ids.front());
+  std::vector<std::string> ids;
+  for (const std::string& typed : arguments.ids) ids.push_back(study_id(client, typed));
   std::ostream& out = arguments.json ? std::cerr : std::cout;
-  const int code = watch_study(client, id, out, isatty(arguments.json ? STDERR_FILENO : STDOUT_FILENO) == 1);
-  if (arguments.json) std::cout << client.get("/v1/studies/" + id).dump(2) << '\n';
+  const bool is_terminal = isatty(arguments.json ? STDERR_FILENO : STDOUT_FILENO) == 1;
+  int code = kExitDone;
+  ordered_json studies = ordered_json::array();
+  for (const std::string& id : ids) {
+    if (ids.size() > 1) out << id << std::endl;
+    code = std::max(code, watch_study(client, id, out, is_terminal));
+    if (arguments.json) studies.push_back(client.get("/v1/studies/" + id));
+  }
+  if (arguments.json) std::cout << (ids.size() == 1 ? studies.front() : studies).dump(2) << '\n';
   return code;
 }
 

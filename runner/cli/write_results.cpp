@@ -14,11 +14,9 @@ using nlohmann::ordered_json;
 
 std::string path_of_cases(const std::string& study_id) { return "/v1/studies/" + study_id + "/cases"; }
 
-ResultColumns columns_of(Client& client, const std::string& study_id) {
-  ResultColumns columns;
+void look_at_cases(Client& client, const std::string& study_id, ResultColumns& columns) {
   client.for_each_page(path_of_cases(study_id), "cases",
                        [&](const ordered_json& page) { columns.look_at(page); });
-  return columns;
 }
 
 void write_document(Client& client, const std::string& study_id, std::ostream& out) {
@@ -42,16 +40,24 @@ void write_results_json(Client& client, const std::vector<std::string>& study_id
   out << (is_list ? "\n]\n" : "\n");
 }
 
-void write_results_csv(Client& client, const std::string& study_id, std::ostream& out) {
-  const auto columns = columns_of(client, study_id).all();
+void write_results_csv(Client& client, const std::vector<std::string>& study_ids, std::ostream& out) {
+  ResultColumns seen;
+  for (const std::string& id : study_ids) look_at_cases(client, id, seen);
+  auto columns = seen.all();
+  if (study_ids.size() > 1) columns.insert(columns.begin(), {"study", "study"});
   out << as_csv(table_of(ordered_json::array(), columns));
-  client.for_each_page(path_of_cases(study_id), "cases",
-                       [&](const ordered_json& page) { out << csv_rows(table_of(page, columns)); });
+  for (const std::string& id : study_ids)
+    client.for_each_page(path_of_cases(id), "cases", [&](ordered_json page) {
+      for (ordered_json& shown : page) shown["study"] = id;
+      out << csv_rows(table_of(page, columns));
+    });
 }
 
 std::string results_text(Client& client, const std::string& study_id) {
   const ordered_json study = client.get("/v1/studies/" + study_id);
-  const auto columns = columns_of(client, study_id).summary(study);
+  ResultColumns seen;
+  look_at_cases(client, study_id, seen);
+  const auto columns = seen.summary(study);
   Table table = table_of(ordered_json::array(), columns);
   client.for_each_page(path_of_cases(study_id), "cases", [&](const ordered_json& page) {
     Table part = table_of(page, columns);

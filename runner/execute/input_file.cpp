@@ -15,6 +15,8 @@ bool is_standard_input(const std::filesystem::path& file) { return file == "-"; 
 
 std::string read_input(const std::filesystem::path& file) {
   if (is_standard_input(file)) return {std::istreambuf_iterator<char>(std::cin), {}};
+  if (std::filesystem::is_directory(file))
+    throw std::system_error(EISDIR, std::generic_category(), "cannot read " + file.string());
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) throw std::system_error(errno, std::generic_category(), "cannot read " + file.string());

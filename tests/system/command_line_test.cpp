@@ -15,6 +15,7 @@
 namespace capstan {
 namespace {
 
+using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -120,6 +121,12 @@ TEST_F(CommandLineTest, ReaderThatHasEnoughIsNoReasonToComplain) {
 TEST_F(CommandLineTest, DatabaseDoesNotTakeThePlaceOfAClosedStandardOutput) {
   const CommandResult result = run_capstan("doctor --data " + directory_.path().string(), ">&- 2>&- <&-");
   EXPECT_EQ(result.exit_code, 1);
+}
+
+TEST_F(CommandLineTest, DirectoryInThePlaceOfAFileIsSaidToBeOne) {
+  const std::string directory = directory_.path().string();
+  EXPECT_EQ(run_capstan("validate " + directory).errors,
+            "capstan: cannot read " + directory + ": Is a directory\n");
 }
 
 TEST_F(CommandLineTest, CaseIsValidatedAsOne) {
@@ -337,6 +344,29 @@ TEST_F(ServedCommandLineTest, SeveralStudiesAreAskedForAtOnce) {
         << command;
   }
   EXPECT_EQ(ask("cancel " + first + " nobody-0000").exit_code, 4);
+  EXPECT_THAT(ask("priority " + both + " 7").output,
+              AllOf(HasSubstr(first + ": priority 7"), HasSubstr(second + ": priority 7")));
+  EXPECT_THAT(ask("watch " + both).output, AllOf(HasSubstr(first), HasSubstr(second)));
+  EXPECT_EQ(nlohmann::json::parse(ask("watch --json " + both).output).size(), 2u);
+  EXPECT_THAT(ask("results --format csv " + both).output,
+              AllOf(StartsWith("study,id,"), HasSubstr("\n" + first + ","), HasSubstr("\n" + second + ",")));
+}
+
+TEST_F(ServedCommandLineTest, CancellingAStudyThatIsDoneLeavesItDone) {
+  const std::string id = submit_and_wait({{"Ca", {0.25}}});
+  EXPECT_EQ(ask("cancel " + id).output, id + ": cancelled 0 cases\n");
+  EXPECT_EQ(nlohmann::json::parse(ask("show --json " + id).output)["state"], "done");
+}
+
+TEST_F(ServedCommandLineTest, OptionOfAChangeThatMakesNoSenseIsAFault) {
+  const std::string id = submit_and_wait({{"Ca", {0.25}}});
+  for (const char* bad : {"retry --fidelity Fine ", "retry --fidelity '' "})
+    EXPECT_EQ(ask(bad + id).exit_code, 2) << bad;
+  for (const char* bad : {" ten", " 101", " 1.5"}) {
+    const CommandResult result = ask("priority " + id + bad);
+    EXPECT_EQ(result.exit_code, 2) << bad;
+    EXPECT_THAT(result.errors, HasSubstr("-100")) << bad;
+  }
 }
 
 TEST_F(ServedCommandLineTest, EveryResultComesAsOneJsonDocument) {
@@ -368,7 +398,8 @@ TEST_F(ServedCommandLineTest, ChangesSayHowManyCasesTheyConcern) {
   EXPECT_THAT(ask("studies").output, ContainsRegex(id + " +(paused|running)"));
   EXPECT_THAT(ask("priority " + id + " 7").output, ContainsRegex(": priority 7 for [0-9]+ queued case"));
   EXPECT_THAT(ask("resume " + id).output, ContainsRegex(": resumed, [0-9]+ queued cases? can start"));
-  EXPECT_THAT(ask("cancel " + id).output, ContainsRegex(": cancelled [0-9]+ cases?,"));
+  EXPECT_THAT(ask("cancel " + id).output,
+              ContainsRegex(": cancelled [0-9]+ cases?(, [0-9]+ (is|are) still queued or running: |\n)"));
   EXPECT_EQ(ask("watch " + id).exit_code, 3);
   const CommandResult list = ask("studies");
   EXPECT_THAT(list.output, HasSubstr("cancelled"));
