@@ -19,7 +19,7 @@ constexpr std::array kMarks = {
     Mark{"tumbling", "TB", "1;97;41", "tumbling"},
     Mark{"tank_treading", "TT", "1;97;44", "tank-treading"},
     Mark{"transition", "TR", "1;30;43", "transition"},
-    Mark{"undecided", "?", "1;30;47", "undecided: it ended too soon to say"},
+    Mark{"undecided", "?", "1;30;47", "undecided: the run was too short, or its surface was lost"},
     Mark{"mixed", "+", "1;97;45", "cases that differ"},
     Mark{"failed", "!", "31", "failed"},
     Mark{"diverged", "x", "31", "diverged"},

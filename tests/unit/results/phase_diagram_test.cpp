@@ -141,6 +141,12 @@ TEST(PhaseDiagram, IsDrawnWithYUpwardsAndALegendOfWhatItShows) {
             " .    queued\n");
 }
 
+TEST(PhaseDiagram, SaysBothReasonsForWhichALabelIsUndecided) {
+  const auto diagram = phase_diagram(kStudy, {point_with({{"Ca", 0.25}, {"V", 2}}, "undecided")}).value;
+  EXPECT_NE(render(*diagram, false).find("undecided: the run was too short, or its surface was lost\n"),
+            std::string::npos);
+}
+
 TEST(PhaseDiagram, HasEscapeCodesOnlyForATerminal) {
   const auto diagram = phase_diagram(kStudy, kPoints).value;
   EXPECT_EQ(render(*diagram, false).find('\x1b'), std::string::npos);
