@@ -7,6 +7,7 @@
 #include <random>
 
 #include "runner/queue/database.hpp"
+#include "runner/service/database_faults.hpp"
 #include "tests/support/failing_disk.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/program.hpp"
@@ -262,6 +263,27 @@ TEST_F(DamagedDatabase, RandomPageThatIsOverwrittenIsNoticed) {
       EXPECT_EQ(death.exit_code, 1);
     }
   }
+}
+
+/// Whole in itself, but with the rows of another page.
+TEST_F(DamagedDatabase, PageInThePlaceOfAnotherIsNoticed) {
+  constexpr char kLeaf = 10;  // of a table that is its own index, as the histories are
+  const fs::path file = elsewhere_.path() / "swapped.sqlite";
+  Database(file, Database::Access::write)
+      .execute_script(
+          "CREATE TABLE many (a INTEGER, b INTEGER, PRIMARY KEY (a, b)) WITHOUT ROWID;"
+          "INSERT INTO many WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 5000)"
+          " SELECT i, i FROM n");
+  EXPECT_NO_THROW(refuse_damaged_database(file));
+  std::string bytes = file_bytes(file);
+  std::vector<std::size_t> leaves;
+  for (std::size_t at = 0; at < bytes.size(); at += kPage)
+    if (bytes[at] == kLeaf) leaves.push_back(at);
+  ASSERT_GE(leaves.size(), 4u);
+  const std::string another = bytes.substr(leaves[leaves.size() - 4], kPage);
+  bytes.replace(leaves[leaves.size() - 2], kPage, another);
+  overwrite(file, bytes);
+  EXPECT_THROW(refuse_damaged_database(file), DatabaseDamaged);
 }
 
 TEST_F(DamagedDatabase, IsReplacedByItsBackupWithAllResults) {
