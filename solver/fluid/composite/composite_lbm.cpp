@@ -43,7 +43,10 @@ FlowReport CompositeLbm<T>::solve(double kt, const Points& positions, const Poin
   extrapolate_to(kt);
   put_forces(forces);
   const FlowReport report = cycle_until_converged(positions, velocities);
-  grids_.front().add_momentum(-0.5, force_);
+  if (std::isfinite(report.error))
+    grids_.front().add_momentum(-0.5, force_);
+  else
+    forget_flow();
   return report;
 }
 
@@ -123,6 +126,13 @@ void CompositeLbm<T>::vertex_velocities(const Points& positions, Points& velocit
 template <class T>
 void CompositeLbm<T>::cycle() {
   fas_cycle(std::span(grids_), kCycle);
+}
+
+/// The next solve starts from rest: nothing can be computed from numbers that are not finite.
+template <class T>
+void CompositeLbm<T>::forget_flow() {
+  grids_.clear();
+  solved_at_.clear();
 }
 
 // The change of one cycle is not its error: with contraction rho the cycles to come would add change rho/(1 -

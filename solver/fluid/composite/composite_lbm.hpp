@@ -46,6 +46,7 @@ class CompositeLbm : public FlowModel {
   void put_forces(const Points& forces);
   void extrapolate_to(double kt);
   void vertex_velocities(const Points& positions, Points& velocities);
+  void forget_flow();
   FlowReport cycle_until_converged(const Points& positions, Points& velocities);
 
   CompositeOptions options_;

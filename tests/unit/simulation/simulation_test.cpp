@@ -90,6 +90,15 @@ TEST(Simulation, WhoseStepsAreRefusedAgainAndAgainStopsOnASmoothSurfaceToo) {
   EXPECT_THAT(outcome.message, HasSubstr("take the fluid quasisteady"));
 }
 
+TEST(Simulation, OfAStiffMembraneGoesOnWithAShorterStepWhenTheFlowOfALongerOneIsNotFinite) {
+  MemoryOutput output;
+  Simulation simulation(parsed_case(
+      R"({"Ca": 0.00417, "V": 1, "law": "skalak", "C": 525.3, "shape": "oblate", "aspect": 0.3378,
+          "fluid": "quasisteady", "Re": 0.01, "until": {"kt": 0.001}, "fidelity": "fast"})"));
+  const Outcome outcome = simulation.run(output);
+  EXPECT_EQ(outcome.stop, Stop::reached_end) << outcome.message;
+}
+
 TEST(Simulation, ThatBreaksDownShowsItsLastSoundStateAndWhatCameOfItEvenWithoutShapes) {
   Case c = stiff_case(0.2);
   c.outputs.shapes_every = 0;
