@@ -37,9 +37,9 @@ std::string reason_for_transition(const Findings& found) {
 }
 
 std::string what_would_settle_it(const Findings& found) {
-  return " It would settle with " + count(kSettled, "half-turn") + " of one kind in a row; " +
-         count(to_tenths(turns(found.run)), "half-turn") + " were seen, the last " +
-         count(found.of_last_kind, "half-turn") + " of one kind.";
+  return " It would settle with " + count(kSettled, "half-turn") +
+         " of one kind in a row; seen so far: " + count(to_tenths(turns(found.run)), "half-turn") +
+         ", the last " + count(found.of_last_kind, "half-turn") + " of one kind.";
 }
 
 std::string what_turned(Motion motion) { return motion == Motion::tumbling ? "shape" : "membrane"; }

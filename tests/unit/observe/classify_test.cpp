@@ -297,7 +297,7 @@ TEST(Explanation, OfATransitionSaysWhyAndWhatWouldSettleIt) {
   EXPECT_EQ(classify(approaching({0.03}, 20)).explanation,
             "The section came near to round: D_min = 0.03 is less than 0.06. It would settle with 3 "
             "half-turns of one "
-            "kind in a row; 2.1 half-turns were seen, the last 2 half-turns of one kind.");
+            "kind in a row; seen so far: 2.1 half-turns, the last 2 half-turns of one kind.");
 }
 
 TEST(Classify, SamplesThatAreNotFiniteAreUndecided) {
