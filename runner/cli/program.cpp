@@ -226,9 +226,8 @@ Action declare_delete(CLI::App& command) {
   add_json_flag(command, arguments->json);
   add_server_option(command, arguments->server);
   command.footer(
-      "Results, histories and shapes of its cases are deleted, too, unless another study has the same case. "
-      "What runs "
-      "of them\nis stopped. Nothing brings them back but to compute them again.\n"
+      "Results, histories and shapes of its cases are deleted, too, unless another study has the same case; cases "
+      "that\nrun are stopped. To have them back, they must be computed again. Give the whole id or the study's name.\n"
       "Example:\n  capstan delete quickstart-3f9c\n");
   return [arguments] { return delete_study(*arguments); };
 }

@@ -53,4 +53,11 @@ std::string study_id(Client& client, const std::string& typed) {
   return only("study", typed, matches(client, typed)["studies"].get<std::vector<std::string>>());
 }
 
+std::string whole_study_id(Client& client, const std::string& typed) {
+  const std::string id = study_id(client, typed);
+  if (typed == id || typed == client.get("/v1/studies/" + id)["name"]) return id;
+  throw std::invalid_argument("\"" + typed + "\" is only the beginning of " + id +
+                              ": give the whole id or the name");
+}
+
 }  // namespace capstan

@@ -13,4 +13,8 @@ std::string path_of_any(Client& client, const std::string& typed);
 /// The id of the study; throws as path_of_any does.
 std::string study_id(Client& client, const std::string& typed);
 
+/// The same for what cannot be undone: the beginning of an id is refused (std::invalid_argument), since given
+/// again it can become the beginning of another one.
+std::string whole_study_id(Client& client, const std::string& typed);
+
 }  // namespace capstan

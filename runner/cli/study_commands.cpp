@@ -179,7 +179,7 @@ int change_study(const StudyArguments& arguments, const std::string& change, con
 
 int delete_study(const StudyArguments& arguments) {
   Client client(arguments.server);
-  return print_answers(resolved(client, arguments, study_id), arguments.json, [&](const std::string& id) {
+  return print_answers(resolved(client, arguments, whole_study_id), arguments.json, [&](const std::string& id) {
     const ordered_json deletion = client.remove(path_of_study(id));
     const std::string text = id + ": deleted with " +
                              cases_text(deletion["deleted_cases"].get<std::int64_t>()) + ", " +

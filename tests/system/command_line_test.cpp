@@ -449,6 +449,9 @@ TEST_F(ServedCommandLineTest, StudyIsDeletedWithItsResults) {
   const auto usage = nlohmann::json::parse(run_capstan("disk --json --data " + data_.path().string()).output);
   EXPECT_EQ(usage["studies"][0]["study"], id);
   EXPECT_EQ(usage["studies"][0]["bytes"], usage["runs"]["bytes"]);
+  const CommandResult beginning = ask("delete " + id.substr(0, id.size() - 1));
+  EXPECT_EQ(beginning.exit_code, 2);
+  EXPECT_THAT(beginning.errors, HasSubstr("give the whole id or the name"));
   EXPECT_EQ(ask("delete " + id).output, id + ": deleted with 2 cases, 0 are kept for other studies\n");
   EXPECT_EQ(ask("show " + id).exit_code, 4);
   EXPECT_THAT(ask("studies").output, Not(HasSubstr(id)));
