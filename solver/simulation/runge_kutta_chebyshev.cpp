@@ -70,6 +70,10 @@ StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, d
   do {
     if (spectral_radius_ == 0 || steps_since_estimate_ >= kStepsAnEstimate)
       estimate_spectral_radius(kt, positions, velocities);
+    if (has_stiffened_beyond_use())
+      return {.kt = kt,
+              .flow = lost_flow("the membrane has become thousands of times as stiff as it was"),
+              .refusals = refusals};
     const double step = next_step(kt_end - kt);
     Trial trial = attempt(kt, step, positions, velocities);
     const double factor = std::isfinite(trial.error) ? std::clamp(0.8 / std::cbrt(trial.error), 0.1, 3.) : 0.1;
@@ -129,7 +133,15 @@ void RungeKuttaChebyshev::estimate_spectral_radius(double kt, const Points& posi
     if (n > 0 && std::abs(radius - last) <= kEnough * radius) break;
   }
   spectral_radius_ = std::max(kSafety * radius, 1.);
+  if (first_radius_ == 0) first_radius_ = spectral_radius_;
   steps_since_estimate_ = 0;
+}
+
+/// As a membrane does whose triangles collapse. At a radius of 1e6 a unit of kt takes thousands of flows; a membrane
+/// that is as stiff from its start is computed all the same.
+bool RungeKuttaChebyshev::has_stiffened_beyond_use() const {
+  constexpr double kGrowth = 1e4, kRadius = 1e6;
+  return spectral_radius_ > std::max(kRadius, kGrowth * first_radius_);
 }
 
 FlowReport RungeKuttaChebyshev::solve(double kt, const Points& positions, Points& velocities) {
@@ -142,13 +154,13 @@ FlowReport RungeKuttaChebyshev::solve(double kt, const Points& positions, Points
 }
 
 void RungeKuttaChebyshev::save(StateArchive& archive) const {
-  archive.put("time_step/step", {step_, spectral_radius_, double(steps_since_estimate_)});
+  archive.put("time_step/step", {step_, spectral_radius_, first_radius_, double(steps_since_estimate_)});
   put_points(archive, "time_step/stiffest", stiffest_);
 }
 
 void RungeKuttaChebyshev::load(const StateArchive& archive) {
   const auto saved = archive.get("time_step/step");
-  step_ = saved[0], spectral_radius_ = saved[1], steps_since_estimate_ = int(saved[2]);
+  step_ = saved[0], spectral_radius_ = saved[1], first_radius_ = saved[2], steps_since_estimate_ = int(saved[3]);
   stiffest_ = get_points(archive, "time_step/stiffest");
 }
 

@@ -31,6 +31,7 @@ class RungeKuttaChebyshev : public TimeStepper {
   double next_step(double left) const;
   Trial attempt(double kt, double step, const Points& start, const Points& velocities);
   void estimate_spectral_radius(double kt, const Points& positions, const Points& velocities);
+  bool has_stiffened_beyond_use() const;
   FlowReport solve(double kt, const Points& positions, Points& velocities);
 
   Options options_;
@@ -38,6 +39,7 @@ class RungeKuttaChebyshev : public TimeStepper {
   FlowReport report_;                     ///< of all flows since advance began
   double step_ = 0;                       ///< wished next; 0 at the start
   double spectral_radius_ = 0;            ///< of the velocities' derivative by the positions; 0: not known
+  double first_radius_ = 0;               ///< the first estimate of it
   int steps_since_estimate_ = 0;
   Points stiffest_;                       ///< 3 x #V: the mode that decays fastest, as last seen
 };

@@ -91,5 +91,21 @@ TEST(RungeKuttaChebyshev, AFlowThatIsLostForGoodEndsWithItsReason) {
   EXPECT_EQ(report.fault, "no flow at all");
 }
 
+TEST(RungeKuttaChebyshev, GivesUpWhereTheMembraneHasBecomeFarStifferThanAtItsStart) {
+  const VelocityField field = [](double kt, const Points& x, Points& u) {
+    return circle_and_decay(std::pow(10, 1 + 8 * kt))(kt, x, u);
+  };
+  RungeKuttaChebyshev stepper;
+  Points x(3, 1), u(3, 1);
+  x << 0, 1, 1.01;
+  StepReport step{.kt = 0, .flow = {}};
+  while (step.flow.converged && step.kt < 1) {
+    field(step.kt, x, u);
+    step = stepper.advance(field, step.kt, 1, u, x);
+  }
+  EXPECT_NEAR(step.kt, 0.62, 0.1);  // where the rate is 1e6
+  EXPECT_EQ(step.flow.fault, "the membrane has become thousands of times as stiff as it was");
+}
+
 }  // namespace
 }  // namespace capstan
