@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/case/choose_fluid.hpp"
 #include "solver/case/shown_number.hpp"
 
 namespace capstan {
@@ -10,7 +11,7 @@ namespace {
 
 /// The paper, fig. 10.
 std::string neglected_inertia(const Case& c) {
-  if (c.fluid != Fluid::quasisteady || c.Re < 0.1) return "";
+  if (!neglects_inertia(c)) return "";
   return "Re = " + rounded(c.Re) +
          ": the quasi-steady flow neglects the time derivative, which matters from Re = 0.1 on; use "
          "\"fluid\": \"transient\"";

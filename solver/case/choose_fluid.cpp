@@ -19,6 +19,10 @@ std::string lattice_setting(const nlohmann::json& fidelity) {
 
 Fluid lattice_for(double Re) { return Re < 0.1 ? Fluid::quasisteady : Fluid::transient; }
 
+bool neglects_inertia(const Case& c) {
+  return c.fluid == Fluid::quasisteady && lattice_for(c.Re) != Fluid::quasisteady;
+}
+
 FluidChoice choose_fluid(double Re, const nlohmann::json& fidelity) {
   const std::string setting = lattice_setting(fidelity), at = "Re = " + shown(Re);
   if (!setting.empty() && lattice_for(Re) == Fluid::quasisteady)

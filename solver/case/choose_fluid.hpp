@@ -24,4 +24,7 @@ FluidChoice choose_fluid(double Re, const nlohmann::json& fidelity);
 /// The fluid of a lattice: quasisteady has no memory and deviates from Re = 0.1 on (paper, fig. 10).
 Fluid lattice_for(double Re);
 
+/// A quasi-steady flow was asked for where it deviates.
+bool neglects_inertia(const Case& c);
+
 }  // namespace capstan

@@ -4,18 +4,15 @@
 #include <cmath>
 
 #include "solver/case/flow_rounding.hpp"
+#include "solver/case/grid_size.hpp"
 #include "solver/case/run_cost.hpp"
+#include "solver/case/run_size.hpp"
 #include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
 #include "solver/case/units.hpp"
 
 namespace capstan {
 namespace {
-
-LatticeUnits transient_units(const Case& c) {
-  constexpr double kViscosity = 0.04;  // of the transient lattice
-  return lattice_units(c.Re, kViscosity, c.fidelity.dx);
-}
 
 double transient_steps(const Case& c) {
   return c.fluid == Fluid::transient ? c.until.kt / transient_units(c).kdt : 0;
@@ -30,8 +27,7 @@ double records(const Case& c) { return c.until.kt / c.outputs.history_every; }
 
 double shapes(const Case& c) { return c.outputs.shapes_every > 0 ? c.until.kt / c.outputs.shapes_every : 0; }
 
-/// Positions, velocities and forces of every vertex, and what the file itself takes.
-double gigabytes_of_shapes(const Case& c) { return shapes(c) * (9 * 8 * c.fidelity.nodes + 4096.) / 1e9; }
+double gigabytes_of_shapes(const Case& c) { return shapes_size(c) / 1e9; }
 
 double gigabytes_of_grid(const Case& c) { return grid_bytes(c) / 1e9; }
 
@@ -67,17 +63,9 @@ constexpr Limit kLimits[] = {
 /// The capsule's longest semi-axis at rest / a; all shapes have the volume of the unit sphere.
 double semi_axis_at_rest(const Case& c) {
   constexpr double kBiconcave = 1.53;
-  switch (c.shape) {
-    case Shape::sphere:
-      return 1;
-    case Shape::oblate:
-      return std::cbrt(1 / c.aspect);
-    case Shape::prolate:
-      return std::cbrt(c.aspect * c.aspect);
-    case Shape::biconcave:
-      break;
-  }
-  return kBiconcave;
+  if (c.shape == Shape::biconcave) return kBiconcave;
+  const auto [axis, across] = semi_axes(c);
+  return std::max(axis, across);
 }
 
 /// By how much the flow draws out a sphere, at least. Measured with boundary integrals, V = 1: a neo-Hookean
@@ -148,7 +136,7 @@ double grid_bytes(const Case& c) {
   // of a cell: the populations before and after a sweep, stress rates, on coarse levels defect and start too;
   // or, in place, the populations alone
   constexpr double kPaper = 19 * 8 * 2 + 8 + 19 * 8 * 4 / 7., kInPlace = 19 * 4;
-  const double cells = std::pow(c.fidelity.box / c.fidelity.dx, 3);
+  const double cells = uniform_cells(c);
   if (c.fluid == Fluid::transient)
     return cells * kInPlace * (c.fidelity.precision == Precision::twofold ? 2 : 1);
   return c.fluid == Fluid::quasisteady && c.fidelity.scheme == Scheme::paper ? cells * kPaper : 0;

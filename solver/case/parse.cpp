@@ -119,7 +119,7 @@ class ObjectReader {
   void finish() {
     for (const auto& [key, value] : object_.items())
       if (!known_.contains(key))
-        issues_.push_back({pointer_ + "/" + escaped(key), "unknown key" + suggestion(key, missing_keys())});
+        issues_.push_back({(json::json_pointer(pointer_) / key).to_string(), "unknown key" + suggestion(key, missing_keys())});
   }
 
  private:
@@ -128,12 +128,6 @@ class ObjectReader {
     for (const std::string& key : known_)
       if (!object_.contains(key)) missing.push_back(key);
     return missing;
-  }
-
-  static std::string escaped(const std::string& key) {
-    std::string text;
-    for (char c : key) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-    return text;
   }
 
   const json& object_;

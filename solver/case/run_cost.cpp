@@ -3,49 +3,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/case/grid_size.hpp"
 #include "solver/case/units.hpp"
 
 namespace capstan {
 namespace {
 
-double uniform_cells(const Case& c) { return std::pow(c.fidelity.box / c.fidelity.dx, 3); }
-
-/// Semi-axes of the shape at rest in units of its radius, whose volume is that of the sphere.
-struct Extent {
-  double along_axis = 1, across = 1;
-};
-Extent extent_of(const Case& c) {
-  if (c.shape != Shape::oblate && c.shape != Shape::prolate) return {};
-  return {std::pow(c.aspect, 2. / 3), std::pow(c.aspect, -1. / 3)};
-}
-
-/// A step on the composite of grids: the box around the capsule, which is inclined by pi/4, its margins, and
-/// what does not depend on the spacing.
+/// A step on the composite of grids: its cells, and what does not depend on the spacing.
 double composite_step(const Case& c) {
   constexpr double kFixed = 0.43e-3, kCell = 1.75e-7;
-  constexpr double kStretch = 0.6, kMargins = 12;  // of the finest box / a, as the capsule deforms; in cells
-  const auto [axis, across] = extent_of(c);
-  const auto cells_along = [&](double semi_axis) {
-    return (2 * semi_axis + kStretch) / c.fidelity.dx + kMargins;
-  };
-  const double in_plane = std::sqrt((axis * axis + across * across) / 2);
-  const double cells = std::pow(cells_along(in_plane), 2) * cells_along(across);
-  const double share = c.fidelity.symmetry == Symmetry::automatic ? 0.25 : 1;
-  return (kFixed + kCell * share * cells) * (c.has_viscosity_contrast() ? 1 : 0.55);
+  return (kFixed + kCell * composite_cells(c)) * (c.has_viscosity_contrast() ? 1 : 0.55);
 }
 
 /// The paper's scheme takes some thirty-five sweeps over the whole domain a step.
 double papers_step(const Case& c) { return 35 * 25e-9 * uniform_cells(c); }
 
 double transient_run(const Case& c) {
-  constexpr double kCell = 9e-9, kNu = 0.04;
-  return c.until.kt / lattice_units(c.Re, kNu, c.fidelity.dx).kdt * kCell * uniform_cells(c);
+  constexpr double kCell = 9e-9;
+  return c.until.kt / transient_units(c).kdt * kCell * uniform_cells(c);
 }
 
 /// What the integrals around a vertex cost where the mesh is drawn out or flattened, in seconds.
 double uneven_mesh(const Case& c) {
   constexpr double kDrawnOut = 0.16e-6, kFlattened = 0.1e-6;
-  const auto [axis, across] = extent_of(c);
+  const auto [axis, across] = semi_axes(c);
   return axis > across ? kDrawnOut * std::pow(axis / across - 1, 2) : kFlattened * (across / axis - 1);
 }
 

@@ -2,8 +2,9 @@
 
 #include <cmath>
 
+#include "solver/case/grid_size.hpp"
+
 namespace capstan {
-namespace {
 
 /// Positions, velocities and forces in double precision, and the frame of an HDF5 file; the triangles once.
 double shapes_size(const Case& c) {
@@ -12,6 +13,8 @@ double shapes_size(const Case& c) {
   const double frames = 1 + std::floor(c.until.kt / c.outputs.shapes_every);
   return kFaces * c.fidelity.nodes + frames * (kVertex * c.fidelity.nodes + kFile);
 }
+
+namespace {
 
 /// A line of history.jsonl, and a row of the database.
 double history_size(const Case& c) {
@@ -23,12 +26,10 @@ double history_size(const Case& c) {
 /// the capsule and of its margins.
 double checkpoint_size(const Case& c) {
   constexpr double kVertex = 108, kCell = 190, kCompositeCell = 450;
-  constexpr double kExtent = 2.6, kMargins = 12;  // of the finest box / a, in cells
   const double membrane = kVertex * c.fidelity.nodes + 10'000;
   if (!c.has_grid()) return membrane;
-  if (!c.has_composite_grid()) return membrane + kCell * std::pow(c.fidelity.box / c.fidelity.dx, 3);
-  const double share = c.fidelity.symmetry == Symmetry::automatic ? 0.25 : 1;
-  return membrane + kCompositeCell * share * std::pow(kExtent / c.fidelity.dx + kMargins, 3);
+  if (!c.has_composite_grid()) return membrane + kCell * uniform_cells(c);
+  return membrane + kCompositeCell * composite_cells(c);
 }
 
 }  // namespace

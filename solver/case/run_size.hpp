@@ -8,4 +8,7 @@ namespace capstan {
 /// percent: its shapes, its history and the one checkpoint that is kept.
 double run_size(const Case& c);
 
+/// Those of its shapes alone.
+double shapes_size(const Case& c);
+
 }  // namespace capstan

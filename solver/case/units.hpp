@@ -21,4 +21,9 @@ inline LatticeUnits lattice_units(double Re, double nu_lu, double dx) {
   return {dx, nu_lu, velocity_lu, nu_lu * velocity_lu / dx, Re * nu_lu * dx * dx};
 }
 
+/// The paper's viscosity of the transient lattice: at dx = 0.1 a and Re = 0.05 the time step is k dt = 2e-5.
+inline constexpr double kTransientViscosity = 0.04;
+
+inline LatticeUnits transient_units(const Case& c) { return lattice_units(c.Re, kTransientViscosity, c.fidelity.dx); }
+
 }  // namespace capstan

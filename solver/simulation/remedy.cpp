@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/case/choose_fluid.hpp"
 #include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
 
@@ -13,7 +14,7 @@ constexpr double kFolded = 90,
                  kCollapsed = 2;  // degrees; an oblate capsule of aspect 0.1 has 53 and 6.6 at rest
 
 std::string of_the_fluid(const Case& c) {
-  if (c.fluid != Fluid::quasisteady || c.Re < 0.1) return "";
+  if (!neglects_inertia(c)) return "";
   return "At Re = " + rounded(c.Re) +
          " the quasi-steady flow leaves out what matters: take the fluid transient.";
 }

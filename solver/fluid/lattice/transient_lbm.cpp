@@ -5,26 +5,21 @@
 namespace capstan {
 namespace {
 
-/// The paper's: at dx = 0.1 a and Re = 0.05 the time step is k dt = 2e-5.
-constexpr double kViscosity = 0.04;
-
-LatticeUnits units_of(const Case& c) { return lattice_units(c.Re, kViscosity, c.fidelity.dx); }
-
 Extent extent_of(const Case& c) {
   const int n = int(std::lround(c.fidelity.box / c.fidelity.dx));
   return {n, n, n};
 }
 
 LatticeSettings settings_of(const Case& c) {
-  const double wall_speed = 0.5 * c.fidelity.box * units_of(c).velocity_lu;
-  return {.rates = kPaperRates, .nu_lu = kViscosity, .wall_speed = wall_speed};
+  const double wall_speed = 0.5 * c.fidelity.box * transient_units(c).velocity_lu;
+  return {.rates = kPaperRates, .nu_lu = kTransientViscosity, .wall_speed = wall_speed};
 }
 
 }  // namespace
 
 template <class Real>
 TransientLbm<Real>::TransientLbm(const Case& c, const TriangleMesh& mesh)
-    : kdt_(units_of(c).kdt), lattice_(extent_of(c), settings_of(c)), coupling_(c, mesh, units_of(c)) {
+    : kdt_(transient_units(c).kdt), lattice_(extent_of(c), settings_of(c)), coupling_(c, mesh, transient_units(c)) {
   lattice_.set_couette();
 }
 
