@@ -2,10 +2,10 @@
 
 #include <arpa/inet.h>
 
-#include <algorithm>
-#include <cctype>
 #include <regex>
 #include <stdexcept>
+
+#include "runner/study/small_letters.hpp"
 
 namespace capstan {
 namespace {
@@ -13,11 +13,6 @@ namespace {
 [[noreturn]] void refuse(const std::string& text, const std::string& why) {
   throw std::invalid_argument("\"" + text + "\" is no server URL" + why + "; one looks like " +
                               kDefaultServer + " or https://capsules.example.org");
-}
-
-std::string in_small_letters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
 }
 
 std::string without_trailing_slashes(std::string path) {

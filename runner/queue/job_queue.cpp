@@ -1,12 +1,11 @@
 #include "runner/queue/job_queue.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <random>
 
 #include "runner/queue/fail_point.hpp"
 #include "runner/queue/points.hpp"
 #include "runner/queue/replacement.hpp"
+#include "runner/study/small_letters.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {
@@ -72,8 +71,7 @@ Submission JobQueue::submit(const Study& study, const std::string& key) {
 
 /// The name in small letters and as many digits of the hash as make it unique, four as a rule: "fig16a-3f9c".
 std::string JobQueue::study_id_for(const Study& study, const std::string& hash) {
-  std::string name = study.name;
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string name = in_small_letters(study.name);
   for (std::size_t digits = 4;; ++digits) {
     const std::string id = name + "-" + hash.substr(0, digits);
     if (!database_.query("SELECT 1 FROM studies WHERE id = ?", id).step()) return id;

@@ -1,7 +1,5 @@
-#include <algorithm>
-#include <cctype>
-
 #include "runner/results/queries.hpp"
+#include "runner/study/small_letters.hpp"
 
 namespace capstan {
 namespace {
@@ -14,11 +12,6 @@ ordered_json texts(Statement row) {
   ordered_json all = ordered_json::array();
   while (row.step()) all.push_back(row.text(0));
   return all;
-}
-
-std::string in_small_letters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
 }
 
 /// Ids of studies begin with the name in small letters, so one range of ids holds all that can match.

@@ -1,31 +1,20 @@
 #include "runner/results/typed_value.hpp"
 
-#include <charconv>
 #include <cmath>
 
 namespace capstan {
-namespace {
 
 using nlohmann::json;
-
-std::optional<double> number_in(const std::string& text) {
-  double number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-}  // namespace
 
 bool means(const std::string& text, const json& value) {
   if (value.is_string()) return value.get_ref<const std::string&>() == text;
   if (value.is_structured()) return json::parse(text, nullptr, false) == value;
-  const auto number = number_in(text);
+  const auto number = number_in<double>(text);
   return number && value.is_number() && std::abs(value.get<double>() - *number) <= 1e-9 * std::abs(*number);
 }
 
 std::optional<std::size_t> find_typed(const std::vector<json>& values, const std::string& text) {
-  const auto number = number_in(text);
+  const auto number = number_in<double>(text);
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (number && values[i].is_number() && values[i].get<double>() == *number) return i;

@@ -1,26 +1,18 @@
 #include "runner/web/parameters.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <vector>
 
 #include "runner/results/queries.hpp"
+#include "runner/results/typed_value.hpp"
 #include "runner/study/axis.hpp"
 
 namespace capstan {
 namespace {
 
 std::string anything(const std::string&) { return ""; }
-
-template <class Number>
-std::optional<Number> number_in(const std::string& text) {
-  Number number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
-  return number;
-}
 
 std::string fault_of_limit(const std::string& value) {
   const auto limit = number_in<int>(value);
