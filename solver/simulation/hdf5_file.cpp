@@ -86,10 +86,11 @@ void Hdf5Writer::write(const std::string& name, hid_t type, const void* values, 
   H5Pset_create_intermediate_group(links.id(), 1);
   const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.id(), false);  // equal numbers, equal bytes, whenever they were written
-  const Hdf5Handle dataset(
+  Hdf5Handle dataset(
       H5Dcreate2(file_.id(), name.c_str(), type, space.id(), links.id(), creation.id(), H5P_DEFAULT),
       H5Dclose);
-  if (!dataset.valid() || H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+  if (!dataset.valid() || H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0 ||
+      !dataset.close())  // which writes what HDF5 still had in memory
     fail("cannot write \"" + name + "\" to", path_);
 }
 
