@@ -1,6 +1,6 @@
 #include "runner/cli/axis_text.hpp"
 
-#include "runner/results/table.hpp"
+#include "runner/render/table.hpp"
 
 namespace capstan {
 

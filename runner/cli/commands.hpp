@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "runner/cli/client.hpp"
-#include "runner/execute/usable_cores.hpp"
+#include "runner/daemon/usable_cores.hpp"
 
 namespace capstan {
 

@@ -1,12 +1,12 @@
-#include "runner/bench/cycle.hpp"
-#include "runner/bench/estimate.hpp"
-#include "runner/bench/kernel.hpp"
-#include "runner/bench/scaling.hpp"
-#include "runner/bench/table1.hpp"
+#include "runner/worker/bench_cycle.hpp"
+#include "runner/worker/estimate.hpp"
+#include "runner/worker/bench_kernel.hpp"
+#include "runner/worker/bench_scaling.hpp"
+#include "runner/worker/bench_table1.hpp"
 #include "runner/cli/program.hpp"
 #include "runner/cli/revision.hpp"
-#include "runner/execute/compare.hpp"
-#include "runner/execute/worker.hpp"
+#include "runner/worker/compare.hpp"
+#include "runner/worker/solve.hpp"
 
 int main(int argc, char** argv) {
   using namespace capstan;

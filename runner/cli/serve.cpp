@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "runner/cli/commands.hpp"
-#include "runner/execute/exit_code.hpp"
-#include "runner/execute/local_executor.hpp"
-#include "runner/service/database_faults.hpp"
-#include "runner/service/loop.hpp"
+#include "solver/run_directory/exit_code.hpp"
+#include "runner/daemon/local_executor.hpp"
+#include "runner/doctor/database_checks.hpp"
+#include "runner/daemon/loop.hpp"
 #include "runner/web/server.hpp"
 
 namespace capstan {

@@ -12,10 +12,10 @@
 #include "runner/cli/resolve.hpp"
 #include "runner/cli/study_text.hpp"
 #include "runner/cli/write_results.hpp"
-#include "runner/execute/exit_code.hpp"
-#include "runner/results/phase_diagram.hpp"
-#include "runner/results/printable.hpp"
-#include "runner/results/table.hpp"
+#include "solver/run_directory/exit_code.hpp"
+#include "runner/queries/phase_diagram.hpp"
+#include "runner/render/printable.hpp"
+#include "runner/render/table.hpp"
 
 namespace capstan {
 namespace {

@@ -1,11 +1,11 @@
 #include "runner/cli/study_file.hpp"
-#include "runner/results/printable.hpp"
+#include "runner/render/printable.hpp"
 
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
 
-#include "runner/execute/input_file.hpp"
+#include "runner/cli/input_file.hpp"
 
 namespace capstan {
 

@@ -1,6 +1,6 @@
 #include "runner/cli/study_text.hpp"
 
-#include "runner/results/printable.hpp"
+#include "runner/render/printable.hpp"
 
 namespace capstan {
 

@@ -4,9 +4,9 @@
 #include <iostream>
 
 #include "runner/cli/commands.hpp"
-#include "runner/execute/exit_code.hpp"
-#include "runner/service/backup.hpp"
-#include "runner/service/doctor.hpp"
+#include "solver/run_directory/exit_code.hpp"
+#include "runner/store/backup.hpp"
+#include "runner/doctor/doctor.hpp"
 
 namespace capstan {
 

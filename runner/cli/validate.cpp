@@ -4,8 +4,8 @@
 #include "runner/cli/commands.hpp"
 #include "runner/cli/study_file.hpp"
 #include "runner/cli/study_text.hpp"
-#include "runner/execute/exit_code.hpp"
-#include "runner/execute/input_file.hpp"
+#include "solver/run_directory/exit_code.hpp"
+#include "runner/cli/input_file.hpp"
 #include "solver/case/case_warnings.hpp"
 #include "solver/case/content_id.hpp"
 

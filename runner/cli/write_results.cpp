@@ -4,8 +4,8 @@
 #include <ostream>
 #include <utility>
 
-#include "runner/results/result_columns.hpp"
-#include "runner/results/table.hpp"
+#include "runner/render/result_columns.hpp"
+#include "runner/render/table.hpp"
 
 namespace capstan {
 namespace {

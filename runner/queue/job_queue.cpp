@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "runner/queue/fail_point.hpp"
+#include "runner/store/fail_point.hpp"
 #include "runner/queue/points.hpp"
 #include "runner/queue/replacement.hpp"
 #include "runner/study/small_letters.hpp"

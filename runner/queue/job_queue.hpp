@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "runner/queue/clock.hpp"
-#include "runner/queue/database.hpp"
+#include "runner/store/clock.hpp"
+#include "runner/store/database.hpp"
 #include "runner/study/study.hpp"
 
 namespace capstan {

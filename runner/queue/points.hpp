@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/queue/database.hpp"
+#include "runner/store/database.hpp"
 #include "runner/study/axis.hpp"
 
 namespace capstan {

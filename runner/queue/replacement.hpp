@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "runner/queue/database.hpp"
+#include "runner/store/database.hpp"
 #include "solver/case/case.hpp"
 #include "solver/case/parse.hpp"
 

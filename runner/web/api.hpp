@@ -2,7 +2,7 @@
 // What each route answers: plain functions from a request to a response.
 #include <string>
 
-#include "runner/service/service.hpp"
+#include "runner/daemon/service.hpp"
 #include "runner/web/message.hpp"
 
 namespace capstan {

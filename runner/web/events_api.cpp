@@ -1,7 +1,7 @@
 #include <memory>
 #include <thread>
 
-#include "runner/results/queries.hpp"
+#include "runner/queries/queries.hpp"
 #include "runner/web/api.hpp"
 #include "runner/web/study_events.hpp"
 

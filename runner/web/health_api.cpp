@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "runner/results/metrics.hpp"
+#include "runner/queries/metrics.hpp"
 #include "runner/web/api.hpp"
 #include "runner/web/openapi.hpp"
 #include "runner/web/starting.hpp"

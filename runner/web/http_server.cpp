@@ -9,7 +9,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "runner/results/timestamp.hpp"
+#include "runner/store/timestamp.hpp"
 #include "runner/web/routes.hpp"
 #include "runner/web/starting.hpp"
 #include "runner/web/target.hpp"

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "runner/service/service.hpp"
+#include "runner/daemon/service.hpp"
 #include "runner/web/access.hpp"
 #include "runner/web/address.hpp"
 #include "runner/web/connection.hpp"

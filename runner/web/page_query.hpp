@@ -1,6 +1,6 @@
 #pragma once
 // Lists in pages: `?limit=100`, and `?after=` with what the last page gave as `next`.
-#include "runner/results/queries.hpp"
+#include "runner/queries/queries.hpp"
 #include "runner/web/message.hpp"
 
 namespace capstan {

@@ -5,8 +5,8 @@
 #include <set>
 #include <vector>
 
-#include "runner/results/queries.hpp"
-#include "runner/results/typed_value.hpp"
+#include "runner/queries/queries.hpp"
+#include "runner/queries/typed_value.hpp"
 #include "runner/study/axis.hpp"
 
 namespace capstan {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "runner/service/service.hpp"
+#include "runner/daemon/service.hpp"
 #include "runner/web/access.hpp"
 #include "runner/web/address.hpp"
 

@@ -1,9 +1,9 @@
 #include <filesystem>
 
-#include "runner/results/disk_warning.hpp"
-#include "runner/results/phase_diagram.hpp"
-#include "runner/results/queries.hpp"
-#include "runner/results/why.hpp"
+#include "runner/queries/disk_warning.hpp"
+#include "runner/queries/phase_diagram.hpp"
+#include "runner/queries/queries.hpp"
+#include "runner/queries/why.hpp"
 #include "runner/study/study.hpp"
 #include "runner/web/api.hpp"
 #include "runner/web/page_query.hpp"

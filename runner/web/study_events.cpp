@@ -1,6 +1,6 @@
 #include "runner/web/study_events.hpp"
 
-#include "runner/results/queries.hpp"
+#include "runner/queries/queries.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {

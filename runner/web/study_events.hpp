@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "runner/queue/clock.hpp"
-#include "runner/queue/database.hpp"
+#include "runner/store/clock.hpp"
+#include "runner/store/database.hpp"
 
 namespace capstan {
 

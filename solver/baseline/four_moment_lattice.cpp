@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/coupling/vector_units.hpp"
+#include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 

@@ -5,9 +5,9 @@
 #include "solver/baseline/best_time.hpp"
 #include "solver/baseline/four_moment_lattice.hpp"
 #include "solver/baseline/memory_bandwidth.hpp"
-#include "solver/fluid/composite/grid.hpp"
-#include "solver/fluid/composite/layout.hpp"
-#include "solver/fluid/lattice/in_place_lattice.hpp"
+#include "solver/fluid/quasisteady/grid.hpp"
+#include "solver/fluid/quasisteady/layout.hpp"
+#include "solver/fluid/transient/in_place_lattice.hpp"
 
 namespace capstan {
 namespace {

@@ -2,7 +2,7 @@
 // How fast the lattices' inner loops are, and how near to what the memory allows.
 #include <string_view>
 
-#include "solver/fluid/lattice/population_field.hpp"
+#include "solver/fluid/lbm/population_field.hpp"
 
 namespace capstan {
 

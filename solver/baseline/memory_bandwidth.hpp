@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "solver/fluid/lattice/huge_pages.hpp"
+#include "solver/grid/huge_pages.hpp"
 
 namespace capstan {
 

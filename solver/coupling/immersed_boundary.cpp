@@ -1,6 +1,6 @@
 #include "solver/coupling/immersed_boundary.hpp"
 
-#include "solver/coupling/vector_units.hpp"
+#include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 namespace {

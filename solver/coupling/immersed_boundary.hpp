@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "solver/coupling/cell_box.hpp"
+#include "solver/grid/cell_box.hpp"
 #include "solver/coupling/delta_kernel.hpp"
 #include "solver/mesh/triangle_mesh.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/coupling/vector_units.hpp"
+#include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 namespace {

@@ -1,7 +1,7 @@
 // What a case's scene requires of the solver, and what it does not.
-#include "solver/fluid/composite/composite_lbm.hpp"
-#include "solver/fluid/lattice/paper_lbm.hpp"
-#include "solver/fluid/lattice/transient_lbm.hpp"
+#include "solver/fluid/quasisteady/quasisteady_flow.hpp"
+#include "solver/fluid/paper/paper_flow.hpp"
+#include "solver/fluid/transient/transient_flow.hpp"
 #include "solver/fluid/stokes/stokes_flow.hpp"
 #include "solver/mesh/geometry.hpp"
 #include "solver/simulation/runge_kutta_chebyshev.hpp"

@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-#include "runner/execute/process_identity.hpp"
+#include "runner/daemon/process_identity.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/sample_studies.hpp"
 #include "tests/support/served_study.hpp"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include "solver/fluid/composite/composite_lbm.hpp"
+#include "solver/fluid/quasisteady/quasisteady_flow.hpp"
 #include "solver/membrane/membrane.hpp"
 #include "solver/mesh/shapes.hpp"
 #include "solver/observe/deformation.hpp"

@@ -11,7 +11,7 @@
 // stems from the box: its walls and periodic images at 6.4 cost 2.6 % (from 6.4 against 12.8).
 #include <gtest/gtest.h>
 
-#include "solver/fluid/composite/composite_lbm.hpp"
+#include "solver/fluid/quasisteady/quasisteady_flow.hpp"
 #include "solver/mesh/geometry.hpp"
 #include "solver/mesh/icosphere.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runner/execute/process_identity.hpp"
-#include "runner/queue/database.hpp"
-#include "runner/service/database_faults.hpp"
+#include "runner/daemon/process_identity.hpp"
+#include "runner/store/database.hpp"
+#include "runner/doctor/database_checks.hpp"
 
 namespace capstan {
 namespace {

@@ -10,7 +10,7 @@
 
 namespace capstan {
 
-/// All fail points of the daemon (runner/queue/fail_point.hpp), in the order in which a case passes them.
+/// All fail points of the daemon (runner/store/fail_point.hpp), in the order in which a case passes them.
 inline constexpr std::array kFailPoints = {"submitting", "submitted", "claimed",   "prepared",
                                            "spawned",    "started",   "recording", "recorded"};
 

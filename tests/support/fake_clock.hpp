@@ -1,6 +1,6 @@
 #pragma once
 // A clock that stands still until it is moved.
-#include "runner/queue/clock.hpp"
+#include "runner/store/clock.hpp"
 
 namespace capstan {
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "runner/execute/executor.hpp"
+#include "runner/daemon/executor.hpp"
 
 namespace capstan {
 

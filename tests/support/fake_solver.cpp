@@ -23,8 +23,8 @@
 #include <vector>
 
 #include "runner/cli/program.hpp"
-#include "runner/execute/exit_code.hpp"
-#include "runner/execute/stop_signals.hpp"
+#include "solver/run_directory/exit_code.hpp"
+#include "runner/worker/stop_signals.hpp"
 
 namespace capstan {
 namespace {

@@ -13,7 +13,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "runner/execute/process_identity.hpp"
+#include "runner/daemon/process_identity.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace capstan {

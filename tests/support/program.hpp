@@ -32,7 +32,7 @@ class Daemon {
  public:
   /// Returns when it answers; throws DaemonDied if it does not come to that.
   /// \param more     further arguments of `capstan serve`; three cores and a free port unless they say
-  /// otherwise \param fail_at  a fail point, "NAME:N" (runner/queue/fail_point.hpp)
+  /// otherwise \param fail_at  a fail point, "NAME:N" (runner/store/fail_point.hpp)
   explicit Daemon(const std::filesystem::path& data, const std::vector<std::string>& more = {},
                   const std::string& fail_at = "");
   ~Daemon();

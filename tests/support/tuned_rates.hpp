@@ -1,5 +1,5 @@
 #pragma once
-#include "solver/fluid/lattice/collision.hpp"
+#include "solver/fluid/lbm/collision.hpp"
 
 namespace capstan::testing {
 

@@ -9,8 +9,8 @@
 #include <memory>
 #include <thread>
 
-#include "runner/execute/process_identity.hpp"
-#include "runner/queue/database.hpp"
+#include "runner/daemon/process_identity.hpp"
+#include "runner/store/database.hpp"
 #include "tests/support/campaign.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/program.hpp"

@@ -11,7 +11,7 @@
 #include <iostream>
 #include <random>
 
-#include "runner/queue/database.hpp"
+#include "runner/store/database.hpp"
 #include "tests/support/campaign.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/served_study.hpp"

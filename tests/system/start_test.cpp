@@ -9,7 +9,7 @@
 #include <csignal>
 #include <thread>
 
-#include "runner/queue/database.hpp"
+#include "runner/store/database.hpp"
 #include "tests/support/old_database.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/served_study.hpp"

@@ -7,9 +7,9 @@
 #include <csignal>
 #include <fstream>
 
-#include "runner/queue/database.hpp"
+#include "runner/store/database.hpp"
 #include "solver/case/content_id.hpp"
-#include "solver/state/checkpoint_header.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
 #include "tests/support/campaign.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/program.hpp"

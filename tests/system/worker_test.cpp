@@ -6,8 +6,8 @@
 #include <csignal>
 #include <fstream>
 
-#include "runner/execute/process_identity.hpp"
-#include "runner/queue/database.hpp"
+#include "runner/daemon/process_identity.hpp"
+#include "runner/store/database.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/sample_studies.hpp"
 #include "tests/support/served_study.hpp"

@@ -1,7 +1,7 @@
 // Writes the shapes of a sphere of radius 1 + kt/2 at kt = 0, 0.5, 1, 1.5 into the directory given: what
 // paraview_opens_shapes.sh looks at. It expands at the velocity x/(2 r) under the force 3 x.
 #include "solver/mesh/icosphere.hpp"
-#include "solver/simulation/shape_writer.hpp"
+#include "solver/output/shape_writer.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;

@@ -29,7 +29,7 @@ struct Include {
   std::string to;    ///< path that is included
 };
 
-/// "solver/fluid/lattice/level.hpp" belongs to the module solver/fluid.
+/// "solver/fluid/paper/level.hpp" belongs to the module solver/fluid.
 std::string module_of(const std::string& path) { return path.substr(0, path.find('/', path.find('/') + 1)); }
 
 bool is_source(const fs::path& path) { return path.extension() == ".cpp" || path.extension() == ".hpp"; }
@@ -62,7 +62,7 @@ const std::vector<Include>& all_includes() {
 bool measures_the_solver(const std::string& path) { return path.starts_with("runner/bench/"); }
 
 bool may_run_the_solver(const std::string& path) {
-  return path.starts_with("runner/execute/worker") || path.starts_with("runner/execute/compare");
+  return path.starts_with("runner/worker/solve") || path.starts_with("runner/worker/compare");
 }
 
 TEST(Includes, AreFoundAtAll) { EXPECT_GT(all_includes().size(), 50u); }

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "solver/fluid/lattice/level.hpp"
+#include "solver/fluid/paper/level.hpp"
 
 namespace capstan {
 namespace {

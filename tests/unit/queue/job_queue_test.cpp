@@ -8,8 +8,8 @@
 
 #include "runner/queue/points.hpp"
 #include "runner/queue/replacement.hpp"
-#include "runner/queue/schema.hpp"
-#include "runner/results/result.hpp"
+#include "runner/store/schema.hpp"
+#include "runner/recording/result.hpp"
 #include "solver/case/content_id.hpp"
 #include "tests/support/fake_clock.hpp"
 #include "tests/support/sample_studies.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "solver/simulation/result.hpp"
+#include "solver/output/result.hpp"
 #include "tests/support/memory_output.hpp"
 #include "tests/support/parsed_case.hpp"
 

@@ -1,0 +1,13 @@
+#pragma once
+// Run directories that belong to no case: the database is older than they are.
+#include <vector>
+
+#include "solver/run_directory/run_directory.hpp"
+#include "runner/store/database.hpp"
+
+namespace capstan {
+
+/// Directories whose name could be a case's id and is none. What has another name is not ours.
+std::vector<RunDirectory> orphans_in(const std::filesystem::path& runs, Database& database);
+
+}  // namespace capstan

@@ -1,0 +1,55 @@
+#include "runner/daemon/usable_cores.hpp"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+namespace capstan {
+namespace {
+
+constexpr const char* kControlGroups = "/sys/fs/cgroup";
+
+int cores_by_affinity() {
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof set, &set) == 0) return CPU_COUNT(&set);
+  return static_cast<int>(std::thread::hardware_concurrency());  // a machine of more cores than a set holds
+}
+
+/// Of cgroup v2, "/" if it has none.
+std::string own_control_group() {
+  std::ifstream file("/proc/self/cgroup");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("0::")) return line.substr(3);
+  return "/";
+}
+
+/// `cpu.max` holds "QUOTA PERIOD" in microseconds, or "max PERIOD".
+int cores_in(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  double quota = 0, period = 0;
+  if (!(stream >> quota >> period) || quota <= 0 || period <= 0) return 0;
+  return static_cast<int>(std::ceil(quota / period));
+}
+
+}  // namespace
+
+int cores_by_quota(const std::filesystem::path& root, const std::string& group) {
+  int least = 0;
+  for (std::filesystem::path path = std::filesystem::path(group).relative_path();;
+       path = path.parent_path()) {
+    const int cores = cores_in(root / path / "cpu.max");
+    if (cores > 0 && (least == 0 || cores < least)) least = cores;
+    if (path.empty()) return least;
+  }
+}
+
+int usable_cores() {
+  const int quota = cores_by_quota(kControlGroups, own_control_group());
+  const int set = std::max(1, cores_by_affinity());
+  return quota > 0 ? std::min(quota, set) : set;
+}
+
+}  // namespace capstan

@@ -1,0 +1,23 @@
+#include "runner/doctor/damaged_checkpoints.hpp"
+
+#include "solver/case/content_id.hpp"
+#include "solver/run_directory/checkpoint_files.hpp"
+
+namespace capstan {
+
+/// A cancelled or failed case may be asked for again, and then goes on, too.
+std::vector<DamagedCheckpoint> damaged_checkpoints(const std::filesystem::path& runs, Database& database) {
+  std::vector<DamagedCheckpoint> damaged;
+  Statement row = database.query("SELECT id FROM cases WHERE state IN ('queued', 'failed', 'cancelled')");
+  while (row.step()) {
+    auto [newer, older] = checkpoint_files(runs / row.text(0), row.text(0), kNumericsVersion);
+    newer = with_checksum(newer);
+    older = with_checksum(older);
+    const auto sound = newer.usable() ? newer.path : older.usable() ? older.path : "";
+    for (const CheckpointFile& file : {newer, older})
+      if (file.is_damaged) damaged.push_back({file.path, file.fault, sound});
+  }
+  return damaged;
+}
+
+}  // namespace capstan

@@ -1,0 +1,75 @@
+#include "runner/queries/why.hpp"
+
+#include "runner/store/timestamp.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::int64_t number(Statement row) {
+  row.step();
+  return row.integer(0);
+}
+
+/// One reason a study that wants the case.
+void add_reason_of_study(Database& database, const Statement& study, std::size_t cores,
+                         ordered_json& reasons) {
+  const std::string id = "study " + study.text(0);
+  if (study.integer(1) != 0) return reasons.push_back(id + " is cancelled");
+  if (study.integer(2) != 0) return reasons.push_back(id + " is paused: capstan resume " + study.text(0));
+  const auto ahead =
+      number(database.query("SELECT count(DISTINCT case_id) FROM waiting WHERE study_number = ? AND position < ?",
+                            study.integer(3), study.integer(4)));
+  const auto others = number(database.query(
+      "SELECT count(*) FROM schedule WHERE queued > 0 AND is_paused = 0 AND number <> ?1 AND priority >="
+      " (SELECT priority FROM schedule WHERE number = ?1)",
+      study.integer(3)));
+  const auto running = number(database.query("SELECT count(*) FROM cases WHERE state = 'running'"));
+  reasons.push_back("in " + id + " " + std::to_string(ahead) + " cases are before it, " +
+                    std::to_string(others) + " other studies take turns or go first, and " +
+                    std::to_string(running) + " cases run on " + std::to_string(cores) + " cores");
+}
+
+ordered_json why_queued(Database& database, const std::string& case_id, const std::string& message,
+                        std::int64_t not_before, std::size_t cores) {
+  ordered_json reasons = ordered_json::array();
+  if (!message.empty()) reasons.push_back(message);
+  if (not_before > 0) reasons.push_back("not tried again before " + timestamp(not_before));
+  Statement study = database.query(
+      "SELECT s.id, s.cancelled_at IS NOT NULL, is_paused, s.number, min(position) FROM study_cases w"
+      " JOIN studies s ON s.id = w.study_id JOIN schedule USING (number) WHERE w.case_id = ? GROUP BY s.id",
+      case_id);
+  while (study.step()) add_reason_of_study(database, study, cores, reasons);
+  return reasons;
+}
+
+ordered_json why_running(Database& database, const std::string& case_id) {
+  Statement row = database.query(
+      "SELECT attempt, started_at, handle FROM attempts WHERE case_id = ? ORDER BY attempt DESC LIMIT 1",
+      case_id);
+  row.step();
+  return {"it runs since " + timestamp(row.integer(1)) + ", attempt " + std::to_string(row.integer(0)) +
+          ", process " + row.text(2).substr(0, row.text(2).find(':'))};
+}
+
+}  // namespace
+
+std::optional<ordered_json> why(Database& database, const std::string& case_id, std::size_t cores,
+                                const std::string& obstacle) {
+  Statement row = database.query("SELECT state, message, not_before FROM cases WHERE id = ?", case_id);
+  if (!row.step()) return std::nullopt;
+  const std::string state = row.text(0);
+  ordered_json answer = {{"id", case_id}, {"state", state}};
+  if (state == "queued")
+    answer["reasons"] = why_queued(database, case_id, row.text(1), row.integer(2), cores);
+  if (state == "queued" && !obstacle.empty()) answer["reasons"].push_back(obstacle);
+  if (state == "queued") return answer;
+  if (state == "running")
+    answer["reasons"] = why_running(database, case_id);
+  else
+    answer["reasons"] = {row.text(1).empty() ? "it has an answer" : row.text(1)};
+  return answer;
+}
+
+}  // namespace capstan

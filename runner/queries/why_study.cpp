@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "runner/queries/queries.hpp"
+#include "runner/store/timestamp.hpp"
+#include "runner/queries/why.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Messages that differ in numbers alone say the same of other cases.
+std::string without_numbers(const std::string& message) {
+  std::string text;
+  for (const char c : message) {
+    const bool is_digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
+    if (!is_digit || text.empty() || text.back() != '#') text += is_digit ? '#' : c;
+  }
+  return text;
+}
+
+/// Cases that share a reason, in the order in which the reasons were found.
+class Reasons {
+ public:
+  void add(std::int64_t cases, const std::string& reason) {
+    if (cases > 0) list_.push_back({{"cases", cases}, {"reason", reason}});
+  }
+
+  /// \param example  a case of which this message is true
+  void add_message(const std::string& state, const std::string& message, const std::string& example) {
+    const auto [kind, is_new] = kinds_.try_emplace(state + without_numbers(message), list_.size());
+    if (is_new) {
+      const std::string text = message.starts_with(state) ? message : state + ": " + message;
+      list_.push_back({{"cases", 0}, {"reason", text + " (" + example + ")"}});
+    }
+    ordered_json& cases = list_[kind->second]["cases"];
+    cases = cases.get<std::int64_t>() + 1;
+  }
+
+  ordered_json list() const { return list_; }
+
+ private:
+  ordered_json list_ = ordered_json::array();
+  std::map<std::string, std::size_t> kinds_;  ///< where they stand in the list
+};
+
+std::string why_it_waits(const ordered_json& study, const std::string& obstacle) {
+  if (study["cancelled"]) return "queued for another study; this one is cancelled";
+  if (study["paused"]) return "queued; the study is paused: capstan resume " + study["id"].get<std::string>();
+  if (!obstacle.empty()) return "queued; " + obstacle;
+  return "queued until a core is free and it is this study's turn";
+}
+
+/// The cases in this state by what is said of them. \return how many those are
+std::int64_t add_messages(Database& database, const std::string& study_id, const char* state,
+                          Reasons& reasons) {
+  std::int64_t cases = 0;
+  Statement row = database.query(
+      "SELECT DISTINCT c.id, c.message FROM study_cases w JOIN cases c ON c.id = w.case_id"
+      " WHERE w.study_id = ? AND c.state = ? AND c.message <> ''",
+      study_id, state);
+  for (; row.step(); ++cases) reasons.add_message(state, first_line(row.text(1)), "case " + row.text(0));
+  return cases;
+}
+
+}  // namespace
+
+std::optional<ordered_json> why_study(Database& database, const std::string& study_id,
+                                      const std::string& obstacle) {
+  const auto study = find_study(database, study_id);
+  if (!study) return std::nullopt;
+  const auto count = [&](const char* state) { return (*study)["cases"][state].get<std::int64_t>(); };
+  Reasons reasons;
+  const std::int64_t to_be_tried_again = add_messages(database, study_id, "queued", reasons);
+  reasons.add(count("queued") - to_be_tried_again, why_it_waits(*study, obstacle));
+  reasons.add(count("running"), "running");
+  for (const char* state : {"failed", "diverged", "cancelled"})
+    add_messages(database, study_id, state, reasons);
+  reasons.add(count("done"), "done, with an answer");
+  return ordered_json{{"id", study_id}, {"state", (*study)["state"]}, {"reasons", reasons.list()}};
+}
+
+}  // namespace capstan

@@ -1,0 +1,113 @@
+#include "runner/worker/bench_cycle.hpp"
+
+#include <omp.h>
+
+#include <cmath>
+
+#include "runner/worker/timed_run.hpp"
+#include "runner/render/bench_report.hpp"
+#include "solver/baseline/best_time.hpp"
+#include "solver/fluid/quasisteady/quasisteady_flow.hpp"
+#include "solver/membrane/membrane.hpp"
+#include "solver/mesh/shapes.hpp"
+
+namespace capstan {
+namespace {
+
+constexpr double kSpan = 1;  // seconds a figure
+
+/// A strained red cell at the paper's resolution.
+struct Scene {
+  Case red = red_cell(0.4, 0.1, 2562, 0.04, 10);
+  Icosphere sphere = make_icosphere(4);
+  Points initial = initial_positions(red, sphere), positions = initial, forces;
+  Membrane membrane{red, sphere.mesh, initial, Orbits::of(initial)};
+
+  Scene() {
+    positions.row(0) += 0.1 * initial.row(1);
+    membrane.forces(positions, forces);
+  }
+  Orbits orbits(bool is_quarter) const {
+    return is_quarter ? Orbits::of(initial) : Orbits::without_symmetry(int(initial.cols()));
+  }
+};
+
+double milliseconds(double seconds) { return std::round(1e5 * seconds) / 100; }
+double rounded(double number) { return std::round(1000 * number) / 1000; }
+
+nlohmann::ordered_json cycle_row(const Scene& scene, const std::string& name, bool is_uniform,
+                                 bool is_quarter, double V) {
+  const CompositeOptions options{.Re = 0, .V = V, .tolerance = 1e-6, .is_uniform = is_uniform};
+  Points exact, u;
+  CompositeLbm<float> flow(scene.sphere.mesh, scene.orbits(is_quarter), options);
+  flow.solve(0, scene.positions, scene.forces, exact);
+  CompositeOptions one_cycle = options;
+  one_cycle.tolerance = 1e300;
+  CompositeLbm<float> again(scene.sphere.mesh, scene.orbits(is_quarter), one_cycle);
+  u = Points::Zero(3, exact.cols());
+  u.row(0) = scene.positions.row(1);
+  std::vector<double> errors = {(u - exact).norm()};
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    again.solve(0, scene.positions, scene.forces, u);
+    errors.push_back((u - exact).norm());
+  }
+  long cells = 0;
+  for (const auto& grid : flow.grids()) cells += grid.box().cells();
+  return {{"grid", name},
+          {"V", V},
+          {"cells", cells},
+          {"ms a cycle", milliseconds(best_time(kSpan, [&] { flow.cycle(); }))},
+          {"first contraction", rounded(errors[1] / errors[0])},
+          {"mean of four", rounded(std::pow(errors[4] / errors[0], 0.25))}};
+}
+
+void print_cycles(const Scene& scene, BenchReport& report) {
+  nlohmann::ordered_json rows;
+  for (double V : {1.0, 4.0}) {
+    rows.push_back(cycle_row(scene, "uniform 128^3", true, false, V));
+    rows.push_back(cycle_row(scene, "composite", false, false, V));
+    rows.push_back(cycle_row(scene, "composite, a quarter", false, true, V));
+  }
+  report.add("One W-cycle around a red cell, dx = 0.1 a, box 12.8 a, single precision", rows);
+}
+
+void print_step(const Scene& scene, BenchReport& report) {
+  const GridGeometry grid{Vec3::Constant(0.05), 0.1};
+  SymmetricBoundary boundary(grid, scene.orbits(true));
+  ViscosityField viscosity(grid, scene.sphere.mesh, scene.orbits(true));
+  CompositeLbm<float> flow(scene.sphere.mesh, scene.orbits(true), {.V = 4});
+  Points forces, u;
+  flow.solve(0, scene.positions, scene.forces, u);
+  boundary.place(scene.positions);
+  const IndexBox capsule = boundary.touched(2);
+  VectorBox on_grid;
+  ScalarBox ratio;
+  ratio.reset(capsule.lo, capsule.sizes());
+
+  nlohmann::ordered_json rows;
+  const auto add = [&](const char* part, double seconds) {
+    rows.push_back({{"part", part}, {"ms", milliseconds(seconds)}});
+  };
+  add("forces of the membrane", best_time(kSpan, [&] { scene.membrane.forces(scene.positions, forces); }));
+  add("to the grid and back", best_time(kSpan, [&] {
+        boundary.place(scene.positions);
+        boundary.spread(scene.forces, 1, on_grid);
+        boundary.interpolate(on_grid, u);
+      }));
+  add("viscosity field", best_time(kSpan, [&] { viscosity.update(scene.positions, 1, 4, ratio); }));
+  add("one cycle", best_time(kSpan, [&] { flow.cycle(); }));
+  const TimedRun run = timed_run(scene.red);
+  add("a step, mean of a run to kt = 10, without the first", run.steady_seconds / double(run.steps - 1));
+  report.add("A step at the paper's resolution (2562 nodes, V = 4)", rows);
+}
+
+}  // namespace
+
+void bench_cycle(BenchReport& report) {
+  omp_set_num_threads(1);
+  const Scene scene;
+  print_cycles(scene, report);
+  print_step(scene, report);
+}
+
+}  // namespace capstan

@@ -1,0 +1,50 @@
+#include "runner/worker/bench_kernel.hpp"
+
+#include <omp.h>
+
+#include <cmath>
+#include <set>
+
+#include "runner/render/bench_report.hpp"
+#include "solver/baseline/kernel_speed.hpp"
+
+namespace capstan {
+namespace {
+
+enum class Number { float32, float64 };
+
+/// Cubes that fit into a core's caches, into the shared one, and into none; and the patch around a red cell.
+constexpr Extent kSizes[] = {{32, 32, 32}, {64, 64, 64}, {128, 128, 128}, {44, 22, 24}};
+
+nlohmann::ordered_json measured_row(Kernel kernel, Number number, const Extent& cells, int threads) {
+  omp_set_num_threads(threads);
+  const KernelSpeed speed =
+      number == Number::float32 ? kernel_speed<float>(kernel, cells) : kernel_speed<double>(kernel, cells);
+  return {{"method", word(kernel)},
+          {"number", number == Number::float32 ? "float" : "double"},
+          {"cells",
+           std::to_string(cells.nx) + " x " + std::to_string(cells.ny) + " x " + std::to_string(cells.nz)},
+          {"threads", threads},
+          {"MLUPS", std::round(1e-6 * speed.updates)},
+          {"bytes an update", speed.bytes},
+          {"limit, GB/s", std::round(1e-8 * speed.bandwidth) / 10},
+          {"share, %", std::round(100 * speed.share())}};
+}
+
+}  // namespace
+
+void bench_kernel(BenchReport& report) {
+  using enum Kernel;
+  nlohmann::ordered_json rows;
+  for (const int threads : std::set{1, omp_get_max_threads()})
+    for (const Kernel kernel : {nineteen_populations, four_moments, composite, composite_stress})
+      for (const Number number : {Number::float64, Number::float32})
+        for (const Extent& cells : kSizes) rows.push_back(measured_row(kernel, number, cells, threads));
+  report.add(
+      "Million lattice updates a second (MLUPS), and their memory traffic as a share of what scaling an "
+      "array in "
+      "place gets (limit: read and written)",
+      rows);
+}
+
+}  // namespace capstan

@@ -1,0 +1,72 @@
+#include "runner/worker/estimate.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <numeric>
+#include <set>
+
+#include "runner/worker/cost_model.hpp"
+#include "solver/run_directory/exit_code.hpp"
+#include "runner/render/bench_report.hpp"
+#include "runner/render/table.hpp"
+
+namespace capstan {
+namespace {
+
+std::string duration(double seconds) {
+  if (seconds < 90) return plain(std::round(10 * seconds) / 10) + " s";
+  if (seconds < 90 * 60) return plain(std::round(seconds / 6) / 10) + " min";
+  return plain(std::round(seconds / 360) / 10) + " h";
+}
+
+/// The axes' values as they were asked for at the first point of each case, and what it takes.
+nlohmann::ordered_json rows_of(const Study& study, const std::vector<double>& seconds) {
+  nlohmann::ordered_json rows;
+  for (std::size_t number = 0; number < seconds.size(); ++number) {
+    const auto point = std::ranges::find(study.points, number) - study.points.begin();
+    const nlohmann::json asked = study.asked_at(static_cast<std::size_t>(point));
+    nlohmann::ordered_json& row = rows.emplace_back(nlohmann::ordered_json::object());
+    for (const Axis& axis : study.axes) row[axis.parameter()] = asked[axis.parameter()];
+    row["fluid"] = word(study.cases[number].fluid);
+    row["seconds"] = std::round(100 * seconds[number]) / 100;
+  }
+  return rows;
+}
+
+std::set<std::size_t> columns_of_axes(const Study& study) {
+  std::set<std::size_t> columns;
+  for (std::size_t axis = 0; axis < study.axes.size(); ++axis) columns.insert(axis);
+  return columns;
+}
+
+}  // namespace
+
+int estimate_study(const Study& study, int cores, bool json) {
+  omp_set_num_threads(1);
+  const std::vector<double> seconds = estimated_seconds(study.cases);
+  const double total = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  const double longest = *std::ranges::max_element(seconds);
+  // the last cases leave cores idle for half a case on average
+  const double wall = std::max(longest, total / cores + (cores > 1 ? longest / 2 : 0));
+  const nlohmann::ordered_json rows = rows_of(study, seconds);
+  if (json) {
+    std::cout << nlohmann::ordered_json{{"cases", rows},
+                                        {"core_seconds", total},
+                                        {"cores", cores},
+                                        {"seconds", wall}}
+                     .dump(2)
+              << '\n';
+    return kExitDone;
+  }
+  BenchReport(std::cout, false).add(study.name + ": seconds of one core", rows, columns_of_axes(study));
+  std::cout << '\n'
+            << seconds.size() << (seconds.size() == 1 ? " case: " : " cases: ") << duration(total)
+            << " of one core, about " << duration(wall) << " on " << cores
+            << (cores == 1 ? " core\n" : " cores\n");
+  return kExitDone;
+}
+
+}  // namespace capstan

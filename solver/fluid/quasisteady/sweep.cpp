@@ -1,0 +1,255 @@
+#include "solver/fluid/quasisteady/sweep.hpp"
+
+#include <algorithm>
+
+#include "solver/grid/vector_units.hpp"
+#include "solver/grid/row_field.hpp"
+
+namespace capstan {
+namespace {
+
+constexpr int kBlock = 256;  // of a row at a time: what they send fits into the cache
+
+/// Loops run over the numbers of a row as they stand in memory, from the ghost before the first cell to the
+/// end of the padding: whole registers, which begin where cache lines do. What comes out where no cell is, is
+/// dropped.
+struct Block {
+  int first, last;  ///< to be written
+  int from, to;     ///< that send to them
+};
+
+/// The block that begins at a number of a row of so many.
+[[gnu::always_inline]] inline Block block_at(int first, int numbers) {
+  const int last = std::min(first + kBlock, numbers);
+  return {first, last, std::max(first - kLanes, 0), std::min(last + kLanes, numbers)};
+}
+
+/// How the number at i is relaxed: where no cell is, it stays.
+template <class T>
+struct Weights {
+  T keep, blend;
+};
+template <class T>
+[[gnu::always_inline]] inline Weights<T> weights_at(int i, int cells, T keep, T blend) {
+  const bool is_cell = unsigned(i - 1) < unsigned(cells);
+  return {is_cell ? keep : T(1), is_cell ? blend : T(0)};
+}
+
+/// 36 times what the cells of a block send along x: to the right, to the left, and to the same x.
+template <class T, int kSums, int kSumsAcross>
+struct Sent {
+  static constexpr int kRoom = kBlock + 2 * kLanes;
+  alignas(64) T right[kSums][kRoom], left[kSums][kRoom], across[kSumsAcross][kRoom];
+
+  /// Nothing comes from outside of the row's memory.
+  [[gnu::always_inline]] void begin(const Block& block) {
+    for (int k = 0; k < kSums; ++k) right[k][kLanes - 1] = left[k][kLanes + block.last - block.first] = 0;
+  }
+
+  /// A sum in parts that do not and that do change sign with e_x.
+  [[gnu::always_inline]] void send(int k, int at, T even, T odd) {
+    right[k][at] = even + odd;
+    left[k][at] = even - odd;
+  }
+
+  [[gnu::always_inline]] T from_left(int k, int at) const { return right[k][at - 1]; }
+  [[gnu::always_inline]] T from_right(int k, int at) const { return left[k][at + 1]; }
+  [[gnu::always_inline]] T arrived(int k, int at) const {
+    return across[k][at] + (from_left(k, at) + from_right(k, at));
+  }
+};
+/// Moments of e_y and e_z; those with e_x follow from right and left.
+enum { kSum, kSumY, kSumZ, kSumYY, kSumZZ, kSumYZ };
+template <class T>
+using FluidSent = Sent<T, 3, 3>;
+template <class T>
+using StressSent = Sent<T, 5, 6>;
+
+/// Where the row's numbers begin: at the ghost before the first cell.
+template <class T>
+[[gnu::always_inline]] inline T* begin_of(T* first_cell) {
+  return static_cast<T*>(__builtin_assume_aligned(first_cell - 1, 64));
+}
+
+/// First half of (b) without stresses: sums over the rows around, cell by cell. Sources at y -+ 1 stand for
+/// e_y = +-1, likewise z. 36 w_i is 12, 2 along an axis, 1 along a diagonal. The sums of what goes to the
+/// right serve rho and g_x alike.
+template <class T>
+[[gnu::always_inline]] inline void gather(const FluidRow<T>& row, const Block& block, FluidSent<T>& sent) {
+  const Strides& s = row.strides;
+  const T* __restrict rho = begin_of(row.m);
+  const T *gx = rho + s.component, *gy = gx + s.component, *gz = gy + s.component;
+  const int shift = kLanes - block.first;
+#pragma GCC ivdep
+  for (int i = block.from; i < block.to; ++i) {
+    const auto sum = [&](const T* f, std::ptrdiff_t step) { return f[i - step] + f[i + step]; };
+    const auto difference = [&](const T* f, std::ptrdiff_t step) { return f[i - step] - f[i + step]; };
+    const T even =
+        2 * rho[i] + (sum(rho, s.y) + sum(rho, s.z)) + 3 * (difference(gy, s.y) + difference(gz, s.z));
+    const T odd = 2 * gx[i] + (sum(gx, s.y) + sum(gx, s.z));
+    const T even_y = difference(rho, s.y) + 3 * sum(gy, s.y), odd_y = difference(gx, s.y);
+    const T even_z = difference(rho, s.z) + 3 * sum(gz, s.z), odd_z = difference(gx, s.z);
+    sent.send(kSum, i + shift, even, 3 * odd);
+    sent.send(kSumY, i + shift, even_y, 3 * odd_y);
+    sent.send(kSumZ, i + shift, even_z, 3 * odd_z);
+
+    // e_x = 0: the axes have twice the diagonals' weight, so they are twice the sums above (12 = 8 + 2 * 2)
+    const auto phi = [&](int ey, int ez) {
+      const std::ptrdiff_t at = i - ey * s.y - ez * s.z;
+      return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]);
+    };
+    const T pp = phi(1, 1), pn = phi(1, -1), np = phi(-1, 1), nn = phi(-1, -1);
+    sent.across[kSum][i + shift] = 8 * rho[i] + 2 * even + ((pp + pn) + (np + nn));
+    sent.across[kSumY][i + shift] = 2 * even_y + ((pp + pn) - (np + nn));
+    sent.across[kSumZ][i + shift] = 2 * even_z + ((pp - pn) + (np - nn));
+  }
+}
+
+/// What a cell's neighbours receive from it: phi_i of (a) in parts that do not and that do change sign with
+/// e_x.
+template <class T>
+struct Phi {
+  T even, odd;
+};
+
+/// First half of (b) with stresses, which need second moments, too.
+template <class T>
+[[gnu::always_inline]] inline void gather(const StressRow<T>& row, const Block& block, StressSent<T>& sent) {
+  const Strides &s = row.fluid.strides, &t = row.stress_strides;
+  const T* __restrict rho = begin_of(row.fluid.m);
+  const T *gx = rho + s.component, *gy = gx + s.component, *gz = gy + s.component;
+  const T* __restrict xx = begin_of(row.p);
+  const T *yy = xx + t.component, *xy = yy + t.component, *xz = xy + t.component, *yz = xz + t.component;
+  const T* __restrict c = begin_of(row.contrast);
+  const T undisturbed = row.undisturbed;
+  const int shift = kLanes - block.first;
+#pragma GCC ivdep
+  for (int i = block.from; i < block.to; ++i) {
+    // along (e_x, e_y, 0): one of the rows at y -+ 1; 9/2 c is the weight of P in phi
+    const auto in_y = [&](int ey, T& across) {
+      const std::ptrdiff_t at = i - ey * s.y, p_at = i - ey * t.y;
+      const T weight = T(4.5) * c[i - ey * row.contrast_strides.y];
+      across = rho[at] + T(3 * ey) * gy[at] + weight * yy[p_at];
+      return Phi<T>{across + weight * xx[p_at], 3 * gx[at] + T(2 * ey) * weight * (xy[p_at] + undisturbed)};
+    };
+    const auto in_z = [&](int ez, T& across) {
+      const std::ptrdiff_t at = i - ez * s.z, p_at = i - ez * t.z;
+      const T weight = T(4.5) * c[i - ez * row.contrast_strides.z];
+      const T isotropic = rho[at] + T(3 * ez) * gz[at];
+      across = isotropic - weight * (xx[p_at] + yy[p_at]);
+      return Phi<T>{isotropic - weight * yy[p_at], 3 * gx[at] + T(2 * ez) * weight * xz[p_at]};
+    };
+    const auto corner = [&](int ey, int ez) {
+      const std::ptrdiff_t at = i - ey * s.y - ez * s.z, p_at = i - ey * t.y - ez * t.z;
+      const T weight = T(4.5) * c[i - ey * row.contrast_strides.y - ez * row.contrast_strides.z];
+      return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]) +
+             weight * (T(2 * ey * ez) * yz[p_at] - xx[p_at]);
+    };
+    const T axis = T(4.5) * c[i] * xx[i];
+    T yp, yn, zp, zn;
+    const Phi<T> right_yp = in_y(1, yp), right_yn = in_y(-1, yn);
+    const Phi<T> right_zp = in_z(1, zp), right_zn = in_z(-1, zn);
+    const Phi<T> sum_y{right_yp.even + right_yn.even, right_yp.odd + right_yn.odd};
+    const Phi<T> sum_z{right_zp.even + right_zn.even, right_zp.odd + right_zn.odd};
+    const T even = 2 * (rho[i] + axis) + (sum_y.even + sum_z.even), odd = 6 * gx[i] + (sum_y.odd + sum_z.odd);
+    const T even_y = right_yp.even - right_yn.even, odd_y = right_yp.odd - right_yn.odd;
+    const T even_z = right_zp.even - right_zn.even, odd_z = right_zp.odd - right_zn.odd;
+    sent.send(kSum, i + shift, even, odd);
+    sent.send(kSumY, i + shift, even_y, odd_y);
+    sent.send(kSumZ, i + shift, even_z, odd_z);
+    sent.send(kSumYY, i + shift, sum_y.even, sum_y.odd);
+    sent.send(kSumZZ, i + shift, sum_z.even, sum_z.odd);
+
+    const T pp = corner(1, 1), pn = corner(1, -1), np = corner(-1, 1), nn = corner(-1, -1);
+    const T corners = (pp + pn) + (np + nn), across_yy = 2 * (yp + yn) + corners,
+            across_zz = 2 * (zp + zn) + corners;
+    sent.across[kSum][i + shift] = 12 * rho[i] + 2 * (yp + yn) + across_zz;
+    sent.across[kSumY][i + shift] = 2 * (yp - yn) + ((pp + pn) - (np + nn));
+    sent.across[kSumZ][i + shift] = 2 * (zp - zn) + ((pp - pn) + (np - nn));
+    sent.across[kSumYY][i + shift] = across_yy;
+    sent.across[kSumZZ][i + shift] = across_zz;
+    sent.across[kSumYZ][i + shift] = (pp + nn) - (pn + np);
+  }
+}
+
+/// Second half of (b) for density and momentum: what arrives from the left, from the right and from the same
+/// x, less (c), and the relaxation. Ghosts are handed on.
+template <class T, class Sent>
+[[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block, const Sent& sent) {
+  const std::ptrdiff_t k = row.strides.component;
+  const T* __restrict m = begin_of(row.m);
+  const T* __restrict d = begin_of(row.defect);
+  T* __restrict out = begin_of(row.out);
+  const int shift = kLanes - block.first;
+#pragma GCC ivdep
+  for (int i = block.first; i < block.last; ++i) {
+    const Weights<T> weights = weights_at(i, row.count, row.keep, row.blend);
+    const auto put = [&](int j, T sum, T carried) {
+      const std::ptrdiff_t at = i + j * k;
+      out[at] = weights.keep * m[at] + weights.blend * (sum * T(1. / 36) + d[at] - carried);
+    };
+    const auto carried = [&](int j) { return row.shear * (m[i + 1 + j * k] - m[i - 1 + j * k]); };
+    const int from = i + shift;
+    put(kRho, sent.arrived(kSum, from), 0);
+    put(kGx, sent.from_left(kSum, from) - sent.from_right(kSum, from),
+        carried(kGx) + row.lift * m[i + kGy * k]);
+    put(kGy, sent.arrived(kSumY, from), carried(kGy));
+    put(kGz, sent.arrived(kSumZ, from), carried(kGz));
+  }
+}
+
+/// The same, and for the stresses.
+template <class T>
+[[gnu::always_inline]] inline void relax(const StressRow<T>& row, const Block& block,
+                                         const StressSent<T>& sent) {
+  relax(row.fluid, block, sent);
+  const std::ptrdiff_t k = row.stress_strides.component;
+  const T* __restrict p = begin_of(row.p);
+  const T* __restrict d = begin_of(row.p_defect);
+  T* __restrict out = begin_of(row.p_out);
+  const int shift = kLanes - block.first;
+#pragma GCC ivdep
+  for (int i = block.first; i < block.last; ++i) {
+    const Weights<T> weights = weights_at(i, row.fluid.count, row.p_keep, row.p_blend);
+    const auto put = [&](int j, T sum) {
+      const std::ptrdiff_t at = i + j * k;
+      out[at] = weights.keep * p[at] + weights.blend * (sum * T(1. / 36) + d[at]);
+    };
+    const int from = i + shift;
+    const T sum_xx = sent.from_left(kSum, from) + sent.from_right(kSum, from);
+    const T sum_yy = sent.arrived(kSumYY, from), sum_zz = sent.arrived(kSumZZ, from);
+    const T trace = (sum_xx + sum_yy + sum_zz) * T(1. / 3);
+    put(kXX, sum_xx - trace);
+    put(kYY, sum_yy - trace);
+    put(kXY, sent.from_left(kSumY, from) - sent.from_right(kSumY, from));
+    put(kXZ, sent.from_left(kSumZ, from) - sent.from_right(kSumZ, from));
+    put(kYZ, sent.across[kSumYZ][from]);
+  }
+}
+
+template <class Sent, class Row>
+[[gnu::always_inline]] inline void sweep(const Row& row, int cells) {
+  Sent sent;
+  const int numbers = whole_lanes(cells + 2);
+  for (int first = 0; first < numbers; first += kBlock) {
+    const Block block = block_at(first, numbers);
+    sent.begin(block);
+    gather(row, block, sent);
+    relax(row, block, sent);
+  }
+}
+
+}  // namespace
+
+CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<float>& row) { sweep<FluidSent<float>>(row, row.count); }
+CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<double>& row) {
+  sweep<FluidSent<double>>(row, row.count);
+}
+CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<float>& row) {
+  sweep<StressSent<float>>(row, row.fluid.count);
+}
+CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<double>& row) {
+  sweep<StressSent<double>>(row, row.fluid.count);
+}
+
+}  // namespace capstan

@@ -1,0 +1,31 @@
+#pragma once
+// The standard method: the lattice Boltzmann equation in time, one lattice step a membrane step (paper
+// section VI and VIII: the baseline of Table I, and the model for Re >= 0.1).
+#include "solver/case/case.hpp"
+#include "solver/fluid/flow_model.hpp"
+#include "solver/fluid/transient/in_place_lattice.hpp"
+#include "solver/fluid/lbm/lattice_coupling.hpp"
+
+namespace capstan {
+
+/// Real: float or double, of the populations.
+template <class Real>
+class TransientLbm : public FlowModel {
+ public:
+  TransientLbm(const Case& c, const TriangleMesh& mesh);
+
+  FlowReport solve(double kt, const Points& positions, const Points& forces, Points& velocities) override;
+  std::optional<double> imposed_time_step() const override { return kdt_; }
+  void save(StateArchive& archive) const override { lattice_.save(archive); }
+  void load(const StateArchive& archive) override { lattice_.load(archive); }
+
+ private:
+  double kdt_;
+  InPlaceLattice<Real> lattice_;
+  LatticeCoupling coupling_;
+};
+
+extern template class TransientLbm<float>;
+extern template class TransientLbm<double>;
+
+}  // namespace capstan

@@ -1,0 +1,84 @@
+#include "solver/output/run_recorder.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "solver/case/content_id.hpp"
+#include "solver/output/checkpoint.hpp"
+#include "solver/output/result.hpp"
+#include "solver/run_directory/durable_file.hpp"
+
+namespace capstan {
+
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+RunRecorder::RunRecorder(std::filesystem::path directory, const Case& c, Choices choices,
+                         std::function<bool()> interrupted, SecondsClock clock)
+    : directory_(std::move(directory)),
+      case_(c),
+      choices_(std::move(choices)),
+      interrupted_(std::move(interrupted)),
+      clock_(std::move(clock)),
+      started_(clock_()) {
+  std::filesystem::create_directories(directory_);
+}
+
+void RunRecorder::resume(Simulation& simulation, const std::function<void(const std::string&)>& log) {
+  if (const auto checkpoint = read_newest_checkpoint(directory_, case_id(case_), log)) {
+    simulation.load(*checkpoint);
+    seconds_before_ = checkpoint->number("seconds");
+    log("resumed at step " + std::to_string(simulation.statistics().steps));
+  }
+  faces_ = simulation.faces();
+  start_history(simulation.history());
+}
+
+/// What the checkpoint knows of the history replaces what a killed process left behind.
+void RunRecorder::start_history(const History& history) {
+  std::string lines;
+  for (const Record& past : history) lines += to_json_line(past) + '\n';
+  const std::filesystem::path path = directory_ / "history.jsonl";
+  write_durably(path, lines);
+  history_.open(path, std::ios::app);
+}
+
+void RunRecorder::record(const Record& now) {
+  history_ << to_json_line(now) << std::endl;
+  if (!history_) throw std::runtime_error("cannot write " + (directory_ / "history.jsonl").string());
+}
+
+void RunRecorder::shape(double kt, int frame, const Points& positions, const Points& velocities,
+                        const Points& forces) {
+  if (!shapes_) shapes_.emplace(directory_, faces_);
+  shapes_->write(kt, frame, positions, velocities, forces);
+  const double now = seconds_here();
+  if (!indices_.is_due(now, 0)) return;
+  shapes_->write_index();
+  indices_.done(now, seconds_here());
+}
+
+void RunRecorder::checkpoint(StateArchive state) {
+  state.put("seconds", seconds());
+  write_checkpoint(directory_, state, case_id(case_));
+  checkpoints_.done(asked_, seconds_here());
+}
+
+bool RunRecorder::is_checkpoint_due(long steps) {
+  constexpr double kShortest = 0.2, kLongest = 30;  // s
+  const int every = case_.outputs.checkpoint_every;
+  asked_ = seconds_here();
+  if (every > 0 && steps % every == 0) return true;
+  return checkpoints_.is_due(asked_, std::clamp(seconds() / 10, kShortest, kLongest));
+}
+
+void RunRecorder::finish(const Simulation& simulation, const Outcome& outcome) {
+  if (shapes_) shapes_->write_index();
+  if (outcome.stop == Stop::interrupted) return;
+  write_durably(directory_ / "result.json",
+                result_json(case_, choices_, simulation, outcome, seconds()).dump(2) + "\n");
+}
+
+}  // namespace capstan

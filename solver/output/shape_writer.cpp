@@ -1,0 +1,67 @@
+#include "solver/output/shape_writer.hpp"
+
+#include "solver/output/hdf5_file.hpp"
+#include "solver/output/xdmf_index.hpp"
+#include "solver/run_directory/durable_file.hpp"
+
+namespace capstan {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMeshFile = "shapes/mesh.h5";
+
+/// "shapes/0007.h5"
+std::string frame_file(int frame) {
+  const std::string number = std::to_string(frame);
+  return "shapes/" + std::string(number.size() < 4 ? 4 - number.size() : 0, '0') + number + ".h5";
+}
+
+/// A matrix with one column an entity is, in memory, an array with one row an entity.
+template <class Matrix>
+void write_rows(Hdf5Writer& file, const std::string& name, const Matrix& matrix) {
+  file.write(name, std::span(matrix.data(), static_cast<size_t>(matrix.size())), 3);
+}
+
+}  // namespace
+
+ShapeWriter::ShapeWriter(fs::path directory, const Faces& faces)
+    : directory_(std::move(directory)), face_count_(faces.cols()) {
+  fs::create_directories(directory_ / "shapes");
+  PendingFile pending(directory_ / kMeshFile);
+  Hdf5Writer mesh(pending.temporary());
+  write_rows(mesh, "faces", faces);
+  mesh.close();
+  pending.publish();
+}
+
+void ShapeWriter::write(double kt, int frame, const Points& positions, const Points& velocities,
+                        const Points& forces) {
+  PendingFile pending(directory_ / frame_file(frame));
+  Hdf5Writer file(pending.temporary());
+  file.write("kt", std::span(&kt, 1));
+  write_rows(file, "positions", positions);
+  write_rows(file, "velocities", velocities);
+  write_rows(file, "forces", forces);
+  file.close();
+  pending.publish();
+  if (times_.empty()) take_up_frames_before(frame);
+  times_[frame] = kt;
+  vertex_count_ = positions.cols();
+}
+
+/// Of an earlier process of this run.
+void ShapeWriter::take_up_frames_before(int frame) {
+  for (int earlier = 0; earlier < frame; ++earlier) {
+    const fs::path path = directory_ / frame_file(earlier);
+    if (fs::exists(path)) times_[earlier] = Hdf5Reader(path).read("kt").at(0);
+  }
+}
+
+void ShapeWriter::write_index() const {
+  std::vector<XdmfFrame> frames;
+  for (const auto& [frame, kt] : times_) frames.push_back({kt, frame_file(frame)});
+  write_durably(directory_ / "shapes.xdmf2", xdmf_index({kMeshFile, vertex_count_, face_count_}, frames));
+}
+
+}  // namespace capstan

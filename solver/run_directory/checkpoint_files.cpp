@@ -1,0 +1,42 @@
+#include "solver/run_directory/checkpoint_files.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace capstan {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a sound file: why it is not for this reader.
+std::string mismatch(const CheckpointHeader& header, const std::string& case_id, int numerics) {
+  if (header.format != kCheckpointFormat) return "has format " + std::to_string(header.format);
+  if (header.case_id != case_id) return "belongs to case " + header.case_id;
+  if (header.numerics != numerics) return "is of numerics version " + std::to_string(header.numerics);
+  return "";
+}
+
+CheckpointFile inspect(const fs::path& path, const std::string& case_id, int numerics) {
+  if (!fs::exists(path)) return {.path = path};
+  const auto header = read_checkpoint_header(path);
+  if (!header) return {.path = path, .fault = "is truncated or has no valid header", .is_damaged = true};
+  const std::string fault = mismatch(*header, case_id, numerics);
+  return {.path = path, .header = fault.empty() ? *header : CheckpointHeader{}, .fault = fault};
+}
+
+}  // namespace
+
+std::array<CheckpointFile, 2> checkpoint_files(const fs::path& run, const std::string& case_id,
+                                               int numerics) {
+  std::array<CheckpointFile, 2> both = {inspect(run / "checkpoint-a.h5", case_id, numerics),
+                                        inspect(run / "checkpoint-b.h5", case_id, numerics)};
+  if (both[0].header.sequence <= both[1].header.sequence) std::swap(both[0], both[1]);
+  return both;
+}
+
+CheckpointFile with_checksum(CheckpointFile file) {
+  if (!file.usable() || checksum_holds(file.path, file.header)) return file;
+  return {.path = file.path, .fault = "fails its checksum", .is_damaged = true};
+}
+
+}  // namespace capstan

@@ -1,0 +1,90 @@
+#include "solver/fluid/paper/level.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/lattice_scene.hpp"
+#include "tests/support/tuned_rates.hpp"
+
+namespace capstan {
+namespace {
+
+using testing::kTunedRates;
+
+LevelSettings tuned(double nu_lu, double wall_speed) {
+  return {.rates = kTunedRates, .nu_lu = nu_lu, .wall_speed = wall_speed, .gamma = 0.8};
+}
+
+VectorBox all_velocities(const Level& level) {
+  VectorBox box;
+  box.reset({0, 0, 0}, {level.extent().nx, level.extent().ny, level.extent().nz});
+  level.velocity(box);
+  return box;
+}
+
+TEST(Level, CouetteFlowIsAnExactSteadyState) {
+  for (const MrtRates& rates : {kPaperRates, kTunedRates}) {
+    LevelSettings settings = tuned(0.1, 0.01);
+    settings.rates = rates;
+    settings.inertia = 0;
+    Level level({4, 12, 4}, settings);
+    level.set_couette();
+    EXPECT_LT(level.residual_norm(), 1e-18);
+  }
+}
+
+TEST(Level, MovingWallsDriveCouetteFlowFromRest) {
+  Level level({4, 8, 4}, tuned(1.0 / 6, 0.01));
+  for (int step = 0; step < 3000; ++step) level.step();
+  const VectorBox u = all_velocities(level);
+  for (int y = 0; y < 8; ++y) EXPECT_NEAR(u.row(0, y, 1)[2], 0.01 * (y + 0.5 - 4) / 4, 1e-10);
+}
+
+/// Largest error of the flow that the force F sin(2 pi y / L) drives between the walls, u = F / (nu k^2)
+/// sin(k y).
+double error_of_sinusoidal_flow(int n) {
+  const double nu = 0.1, wave = 2 * std::numbers::pi / n, amplitude = 1e-3 * nu * wave * wave;
+  Level level({4, n, 4}, tuned(nu, 0));
+  VectorBox force;
+  force.reset({0, 0, 0}, {4, n, 4});
+  const auto shape = [&](int y) { return std::sin(wave * (y + 0.5 - 0.5 * n)); };
+  force.for_each_row([&](int y, int z) { std::fill_n(force.row(0, y, z), 4, amplitude * shape(y)); });
+  level.set_force(&force);
+  for (int step = 0; step < 30 * n * n; ++step) level.step();
+  const VectorBox u = all_velocities(level);
+  double worst = 0;
+  for (int y = 0; y < n; ++y) worst = std::max(worst, std::abs(u.row(0, y, 0)[0] / 1e-3 - shape(y)));
+  return worst;
+}
+
+TEST(Level, AForcedFlowConvergesWithSecondOrder) {
+  const double coarse = error_of_sinusoidal_flow(8), fine = error_of_sinusoidal_flow(16);
+  EXPECT_LT(fine, 0.02);
+  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.3);
+}
+
+TEST(Level, MultigridAndTimeSteppingReachTheSameSteadyState) {
+  testing::LatticeScene scene(16, 3, tuned(0.15, 1e-3));
+  testing::LatticeScene stepped(16, 3, tuned(0.15, 1e-3));
+  for (int cycle = 0; cycle < 40; ++cycle) scene.cycle();
+  for (int step = 0; step < 6000; ++step) stepped.finest().step();
+  EXPECT_LT(relative_difference(all_velocities(scene.finest()), all_velocities(stepped.finest())), 1e-9);
+}
+
+TEST(Level, SweepsAndCyclesConserveMass) {
+  testing::LatticeScene scene(16, 5, tuned(0.15, 1e-3));
+  const auto mass = [&] {
+    double sum = 0;
+    for (int z = 0; z < 16; ++z)
+      for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) sum += macroscopic(scene.finest().populations(), x, y, z).rho;
+    return sum;
+  };
+  for (int cycle = 0; cycle < 5; ++cycle) scene.cycle();
+  EXPECT_NEAR(mass(), 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace capstan

@@ -1,0 +1,67 @@
+#include "solver/fluid/quasisteady/layout.hpp"
+
+#include <gtest/gtest.h>
+
+namespace capstan {
+namespace {
+
+constexpr Domain kQuarter{.cells = 128, .is_quarter = true}, kWhole{.cells = 128, .is_quarter = false};
+constexpr IndexBox kCapsule{{-14, 0, 0}, {12, 9, 14}};
+constexpr IndexBox kUnfolded{{-14, -9, -14}, {12, 9, 14}};
+
+void expect_nested(const Domain& domain, const std::vector<IndexBox>& boxes, const IndexBox& capsule) {
+  EXPECT_TRUE(boxes[0].contains(capsule));
+  for (std::size_t i = 0; i + 1 < boxes.size(); ++i) {
+    const IndexBox parents = coarsened(boxes[i]);
+    EXPECT_EQ(refined(parents), boxes[i]) << "grid " << i << " is not made of whole coarse cells";
+    // interpolation reaches two cells beyond a side that is not the domain's
+    for (int axis = 0; axis < 3; ++axis) {
+      const IndexBox all = domain.box(int(i) + 1);
+      EXPECT_TRUE(parents.lo[axis] == all.lo[axis] || boxes[i + 1].lo[axis] <= parents.lo[axis] - 2);
+      EXPECT_TRUE(parents.hi[axis] == all.hi[axis] || boxes[i + 1].hi[axis] >= parents.hi[axis] + 2);
+    }
+  }
+  EXPECT_EQ(boxes.back(), domain.box(int(boxes.size()) - 1));
+}
+
+TEST(Layout, BoxesAreNestedAroundTheCapsuleUpToTheDomain) {
+  expect_nested(kQuarter, plan_boxes(kQuarter, kCapsule, {}), kCapsule);
+  expect_nested(kWhole, plan_boxes(kWhole, kUnfolded, {}), kUnfolded);
+}
+
+TEST(Layout, OfAHalfTurnReachesAsFarToBothSides) {
+  for (const IndexBox& box : plan_boxes(kQuarter, kCapsule, {})) {
+    EXPECT_EQ(box.lo[0], -box.hi[0]);
+    EXPECT_EQ(box.lo[1], 0);
+    EXPECT_EQ(box.lo[2], 0);
+  }
+}
+
+TEST(Layout, KeepsItsBoxesWhileTheCapsuleMovesByTwoCells) {
+  const auto boxes = plan_boxes(kWhole, kUnfolded, {});
+  IndexBox moved = kUnfolded;
+  moved.hi[0] += 2, moved.lo[2] += 2;
+  EXPECT_EQ(plan_boxes(kWhole, moved, boxes), boxes);
+  moved.hi[0] += 8;
+  const auto followed = plan_boxes(kWhole, moved, boxes);
+  EXPECT_NE(followed, boxes);
+  expect_nested(kWhole, followed, moved);
+}
+
+TEST(Layout, OfACapsuleNearAWallEndsAtTheWall) {
+  IndexBox capsule = kUnfolded;
+  capsule.hi[1] = 60, capsule.lo[1] = 42;
+  const auto boxes = plan_boxes(kWhole, capsule, {});
+  expect_nested(kWhole, boxes, capsule);
+  EXPECT_EQ(boxes[0].hi[1], 64);
+}
+
+TEST(Layout, OfAUniformGridCoversTheDomain) {
+  const Domain uniform{.cells = 64, .is_quarter = false, .is_uniform = true};
+  const auto boxes = plan_boxes(uniform, kUnfolded, {});
+  EXPECT_EQ(int(boxes.size()), uniform.grid_count());
+  for (int grid = 0; grid < int(boxes.size()); ++grid) EXPECT_EQ(boxes[grid], uniform.box(grid));
+}
+
+}  // namespace
+}  // namespace capstan
