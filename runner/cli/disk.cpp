@@ -2,9 +2,9 @@
 #include <iostream>
 
 #include "runner/cli/commands.hpp"
-#include "solver/run_directory/exit_code.hpp"
 #include "runner/render/table.hpp"
 #include "runner/store/disk_usage.hpp"
+#include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 namespace {

@@ -1,11 +1,11 @@
+#include "runner/cli/program.hpp"
+#include "runner/cli/revision.hpp"
 #include "runner/worker/bench_cycle.hpp"
-#include "runner/worker/estimate.hpp"
 #include "runner/worker/bench_kernel.hpp"
 #include "runner/worker/bench_scaling.hpp"
 #include "runner/worker/bench_table1.hpp"
-#include "runner/cli/program.hpp"
-#include "runner/cli/revision.hpp"
 #include "runner/worker/compare.hpp"
+#include "runner/worker/estimate.hpp"
 #include "runner/worker/solve.hpp"
 
 int main(int argc, char** argv) {

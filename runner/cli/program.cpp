@@ -16,13 +16,13 @@
 #include "runner/cli/standard_output.hpp"
 #include "runner/cli/study_file.hpp"
 #include "runner/cli/usage_error.hpp"
-#include "solver/run_directory/exit_code.hpp"
-#include "runner/cli/input_file.hpp"
 #include "runner/daemon/local_executor.hpp"
-#include "solver/run_directory/run_directory.hpp"
 #include "runner/render/bench_report.hpp"
 #include "runner/render/printable.hpp"
+#include "runner/study/input_file.hpp"
 #include "solver/case/content_id.hpp"
+#include "solver/run_directory/exit_code.hpp"
+#include "solver/run_directory/run_directory.hpp"
 
 namespace capstan {
 namespace {
@@ -226,8 +226,10 @@ Action declare_delete(CLI::App& command) {
   add_json_flag(command, arguments->json);
   add_server_option(command, arguments->server);
   command.footer(
-      "Results, histories and shapes of its cases are deleted, too, unless another study has the same case; cases "
-      "that\nrun are stopped. To have them back, they must be computed again. Give the whole id or the study's name.\n"
+      "Results, histories and shapes of its cases are deleted, too, unless another study has the same case; "
+      "cases "
+      "that\nrun are stopped. To have them back, they must be computed again. Give the whole id or the "
+      "study's name.\n"
       "Example:\n  capstan delete quickstart-3f9c\n");
   return [arguments] { return delete_study(*arguments); };
 }
@@ -250,13 +252,13 @@ Action declare_retry(CLI::App& command) {
 
 /// The last of the words; the others are the studies.
 int take_priority(std::vector<std::string>& words) {
-  constexpr int kMost = 100;
+  constexpr int kMax = 100;
   const std::string typed = words.back();
   words.pop_back();
   int priority = 0;
   const auto read = std::from_chars(typed.data(), typed.data() + typed.size(), priority);
   const bool is_read = read.ec == std::errc() && read.ptr == typed.data() + typed.size();
-  if (!is_read || std::abs(priority) > kMost)
+  if (!is_read || std::abs(priority) > kMax)
     throw std::invalid_argument("the priority must be a whole number from -100 to 100, is \"" + typed + "\"");
   if (words.empty())
     throw std::invalid_argument("name the study before the priority: capstan priority ID " + typed);

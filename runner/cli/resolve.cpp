@@ -10,9 +10,9 @@ using nlohmann::ordered_json;
 
 /// Anything else is no id, and need not be written into a URL.
 bool could_be_an_id(const std::string& typed) {
-  constexpr std::size_t kLongest = 120;
+  constexpr std::size_t kMax = 120;
   const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '-' || c == '_'); };
-  return !typed.empty() && typed.size() <= kLongest && std::all_of(typed.begin(), typed.end(), allowed);
+  return !typed.empty() && typed.size() <= kMax && std::all_of(typed.begin(), typed.end(), allowed);
 }
 
 ordered_json matches(Client& client, const std::string& typed) {

@@ -9,11 +9,11 @@
 #include <thread>
 
 #include "runner/cli/commands.hpp"
-#include "solver/run_directory/exit_code.hpp"
 #include "runner/daemon/local_executor.hpp"
-#include "runner/doctor/database_checks.hpp"
 #include "runner/daemon/loop.hpp"
+#include "runner/doctor/database_checks.hpp"
 #include "runner/web/server.hpp"
+#include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 namespace {
@@ -39,9 +39,9 @@ void keep_files_private() { umask(077); }
 /// Requests that are under way get a moment more. One that takes longer goes without its answer, as if the
 /// daemon had been killed.
 void end_soon(int code) {
-  static constexpr std::chrono::seconds kLongest{1};
+  static constexpr std::chrono::seconds kMax{1};
   std::thread([code] {
-    std::this_thread::sleep_for(kLongest);
+    std::this_thread::sleep_for(kMax);
     std::_Exit(code);
   }).detach();
 }

@@ -28,9 +28,9 @@ bool is_ipv6(const std::string& host) {
 int usual_port(bool is_secure) { return is_secure ? 443 : 80; }
 
 int port_of(const std::string& digits, const std::string& text) {
-  constexpr int kLargest = 65535;
-  const int port = digits.size() <= 5 ? std::stoi(digits) : kLargest + 1;
-  if (port < 1 || port > kLargest) refuse(text, ": the port must be from 1 to 65535");
+  constexpr int kMax = 65535;
+  const int port = digits.size() <= 5 ? std::stoi(digits) : kMax + 1;
+  if (port < 1 || port > kMax) refuse(text, ": the port must be from 1 to 65535");
   return port;
 }
 
@@ -43,11 +43,11 @@ std::string ServerUrl::authority() const {
 }
 
 ServerUrl parse_server_url(const std::string& text) {
-  constexpr std::size_t kLongest = 300;
+  constexpr std::size_t kMax = 300;
   static const std::regex form(
       R"((?:(https?)://)?(?:\[([0-9a-f:.]+)\]|([a-z0-9._-]+))(?::([0-9]+))?(/[^\s?#]*)?)", std::regex::icase);
   std::smatch part;
-  if (text.size() > kLongest || !std::regex_match(text, part, form)) refuse(text, "");
+  if (text.size() > kMax || !std::regex_match(text, part, form)) refuse(text, "");
   const std::string scheme = in_small_letters(part[1]), port = part[4];
   if (scheme.empty() && port.empty()) refuse(text, "");
   if (part[2].matched && !is_ipv6(part[2])) refuse(text, ": brackets are for an IPv6 address");

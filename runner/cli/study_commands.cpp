@@ -12,10 +12,10 @@
 #include "runner/cli/resolve.hpp"
 #include "runner/cli/study_text.hpp"
 #include "runner/cli/write_results.hpp"
-#include "solver/run_directory/exit_code.hpp"
 #include "runner/queries/phase_diagram.hpp"
 #include "runner/render/printable.hpp"
 #include "runner/render/table.hpp"
+#include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 namespace {
@@ -179,13 +179,14 @@ int change_study(const StudyArguments& arguments, const std::string& change, con
 
 int delete_study(const StudyArguments& arguments) {
   Client client(arguments.server);
-  return print_answers(resolved(client, arguments, whole_study_id), arguments.json, [&](const std::string& id) {
-    const ordered_json deletion = client.remove(path_of_study(id));
-    const std::string text = id + ": deleted with " +
-                             cases_text(deletion["deleted_cases"].get<std::int64_t>()) + ", " +
-                             deletion["kept_cases"].dump() + " are kept for other studies\n";
-    return Answer{deletion, text};
-  });
+  return print_answers(
+      resolved(client, arguments, whole_study_id), arguments.json, [&](const std::string& id) {
+        const ordered_json deletion = client.remove(path_of_study(id));
+        const std::string text = id + ": deleted with " +
+                                 cases_text(deletion["deleted_cases"].get<std::int64_t>()) + ", " +
+                                 deletion["kept_cases"].dump() + " are kept for other studies\n";
+        return Answer{deletion, text};
+      });
 }
 
 int explain(const StudyArguments& arguments) {

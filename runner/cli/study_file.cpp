@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "runner/cli/input_file.hpp"
+#include "runner/study/input_file.hpp"
 
 namespace capstan {
 

@@ -13,7 +13,7 @@ struct InputDocument {
   std::optional<Study> study;
   std::optional<Case> single_case;
   Choices choices;  ///< of the case
-  Issues issues;  ///< if it is neither
+  Issues issues;    ///< if it is neither
 };
 InputDocument parse_document(const std::string& text);
 

@@ -6,8 +6,8 @@
 #include "runner/cli/study_file.hpp"
 #include "runner/cli/study_text.hpp"
 #include "runner/cli/watch.hpp"
-#include "solver/run_directory/exit_code.hpp"
 #include "runner/render/printable.hpp"
+#include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 

@@ -4,15 +4,15 @@
 #include <iostream>
 
 #include "runner/cli/commands.hpp"
-#include "solver/run_directory/exit_code.hpp"
-#include "runner/store/backup.hpp"
 #include "runner/doctor/doctor.hpp"
+#include "runner/store/backup.hpp"
+#include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 
 namespace {
 
-const char* word(Finding::Kind kind) {
+const char* to_string(Finding::Kind kind) {
   switch (kind) {
     case Finding::Kind::mended:
       return "mended";
@@ -30,8 +30,8 @@ int examine_data(const UpkeepArguments& arguments) {
   int unmended = 0;
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   for (const Finding& finding : examine(arguments.data, arguments.mend)) {
-    findings.push_back({{"kind", word(finding.kind)}, {"what", finding.what}});
-    if (!arguments.json) std::cout << word(finding.kind) << ": " << finding.what << '\n';
+    findings.push_back({{"kind", to_string(finding.kind)}, {"what", finding.what}});
+    if (!arguments.json) std::cout << to_string(finding.kind) << ": " << finding.what << '\n';
     if (finding.kind == Finding::Kind::fault) ++unmended;
   }
   if (arguments.json)

@@ -4,10 +4,10 @@
 #include "runner/cli/commands.hpp"
 #include "runner/cli/study_file.hpp"
 #include "runner/cli/study_text.hpp"
-#include "solver/run_directory/exit_code.hpp"
-#include "runner/cli/input_file.hpp"
+#include "runner/study/input_file.hpp"
 #include "solver/case/case_warnings.hpp"
 #include "solver/case/content_id.hpp"
+#include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 namespace {

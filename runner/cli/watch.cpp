@@ -12,8 +12,8 @@
 #include "runner/cli/commands.hpp"
 #include "runner/cli/progress.hpp"
 #include "runner/cli/resolve.hpp"
-#include "solver/run_directory/exit_code.hpp"
 #include "runner/render/printable.hpp"
+#include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 namespace {

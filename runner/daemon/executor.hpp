@@ -4,26 +4,13 @@
 #include <optional>
 #include <string>
 
+#include "runner/recording/process_end.hpp"
 #include "solver/run_directory/run_directory.hpp"
 
 namespace capstan {
 
 /// The executor's name of a run. It is stored, so that a later daemon can find the run of an earlier one.
 using RunHandle = std::string;
-
-/// How a run's process ended.
-struct RunEnd {
-  enum class How {
-    exited,     ///< `number` is the exit code (schema/exit_codes.md)
-    signalled,  ///< `number` is the signal that killed it
-    lost,       ///< gone, and nobody knows how
-  };
-  How how = How::lost;
-  int number = 0;
-};
-
-/// For people: "exit code 1", "killed by signal 9 (Killed)".
-std::string describe(const RunEnd& end);
 
 enum class StopBy {
   checkpoint,  ///< write a checkpoint, then end
@@ -45,7 +32,7 @@ class Executor {
   virtual RunHandle start(const RunDirectory& directory) = 0;
 
   /// Nothing while the run goes on; its end, once.
-  virtual std::optional<RunEnd> poll(const RunHandle& run) = 0;
+  virtual std::optional<ProcessEnd> poll(const RunHandle& run) = 0;
 
   /// Nothing if that cannot be told.
   virtual std::optional<RunUsage> usage(const RunHandle& run) = 0;

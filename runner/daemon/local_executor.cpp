@@ -18,7 +18,7 @@
 
 #include "solver/run_directory/directory_lock.hpp"
 #include "solver/run_directory/exit_code.hpp"
-#include "runner/worker/stop_signals.hpp"
+#include "solver/run_directory/stop_signals.hpp"
 
 namespace capstan {
 namespace {
@@ -95,24 +95,12 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return all;
 }
 
-RunEnd end_of(int status) {
-  if (WIFSIGNALED(status)) return {RunEnd::How::signalled, WTERMSIG(status)};
-  return {RunEnd::How::exited, WEXITSTATUS(status)};
+ProcessEnd end_of(int status) {
+  if (WIFSIGNALED(status)) return {ProcessEnd::How::signalled, WTERMSIG(status)};
+  return {ProcessEnd::How::exited, WEXITSTATUS(status)};
 }
 
 }  // namespace
-
-std::string describe(const RunEnd& end) {
-  switch (end.how) {
-    case RunEnd::How::exited:
-      return "exit code " + std::to_string(end.number);
-    case RunEnd::How::signalled:
-      return "killed by signal " + std::to_string(end.number) + " (" + strsignal(end.number) + ")";
-    case RunEnd::How::lost:
-      break;
-  }
-  return "the process is gone";
-}
 
 LocalExecutor::LocalExecutor(std::filesystem::path program) : program_(std::move(program)) {}
 
@@ -131,18 +119,18 @@ RunHandle LocalExecutor::start(const RunDirectory& directory) {
   return run;
 }
 
-std::optional<RunEnd> LocalExecutor::poll(const RunHandle& run) {
+std::optional<ProcessEnd> LocalExecutor::poll(const RunHandle& run) {
   const auto child = children_.find(run);
   if (child == children_.end()) {
     const auto stranger = process_from_text(run);
     if (stranger && is_alive(*stranger)) return std::nullopt;
-    return RunEnd{};
+    return ProcessEnd{};
   }
   int status = 0;
   const pid_t ended = waitpid(child->second.pid, &status, WNOHANG);
   if (ended == 0) return std::nullopt;
   children_.erase(child);
-  return ended > 0 ? end_of(status) : RunEnd{};
+  return ended > 0 ? end_of(status) : ProcessEnd{};
 }
 
 std::optional<RunUsage> LocalExecutor::usage(const RunHandle& run) {
@@ -154,9 +142,9 @@ std::optional<RunUsage> LocalExecutor::usage(const RunHandle& run) {
 
 bool LocalExecutor::wait_until_free(const RunDirectory& directory) {
   if (!std::filesystem::exists(directory.path())) return true;
-  constexpr std::chrono::milliseconds kStep{5}, kLongest{5000};
+  constexpr std::chrono::milliseconds kStep{5}, kMax{5000};
   DirectoryLock lock(directory);
-  for (std::chrono::milliseconds waited{0}; waited < kLongest; waited += kStep) {
+  for (std::chrono::milliseconds waited{0}; waited < kMax; waited += kStep) {
     if (lock.take()) return true;
     std::this_thread::sleep_for(kStep);
   }
@@ -168,8 +156,8 @@ void LocalExecutor::cancel(const RunHandle& run, StopBy stop) {
   const auto process = process_from_text(run);
   if (!process || (!children_.contains(run) && !is_alive(*process))) return;
   ::kill(-process->pid, stop == StopBy::kill ? SIGKILL : SIGTERM);
-  constexpr int kLongest = 5000;  // ms; a killed process that waits for a disk
-  if (stop == StopBy::kill) wait_for_end(*process, kLongest);
+  constexpr int kMax = 5000;  // ms; a killed process that waits for a disk
+  if (stop == StopBy::kill) wait_for_end(*process, kMax);
 }
 
 void end_with_daemon() {

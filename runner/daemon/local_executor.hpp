@@ -17,7 +17,7 @@ class LocalExecutor : public Executor {
   explicit LocalExecutor(std::filesystem::path program = "/proc/self/exe");
 
   RunHandle start(const RunDirectory& directory) override;
-  std::optional<RunEnd> poll(const RunHandle& run) override;
+  std::optional<ProcessEnd> poll(const RunHandle& run) override;
   std::optional<RunUsage> usage(const RunHandle& run) override;
   void cancel(const RunHandle& run, StopBy stop) override;
   bool wait_until_free(const RunDirectory& directory) override;

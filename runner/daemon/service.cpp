@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "solver/run_directory/exit_code.hpp"
-#include "runner/store/fail_point.hpp"
 #include "runner/queue/points.hpp"
 #include "runner/queue/replacement.hpp"
 #include "runner/recording/result.hpp"
-#include "runner/daemon/orphans.hpp"
+#include "runner/store/fail_point.hpp"
+#include "runner/store/orphans.hpp"
 #include "solver/case/content_id.hpp"
 #include "solver/run_directory/checkpoint_files.hpp"
 #include "solver/run_directory/durable_file.hpp"
+#include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 std::string whole(double number) { return std::to_string(static_cast<long long>(number)); }
 
 /// Where result.json cannot be read the case waits until it can be. A shortage of the daemon's own is thrown.
-RunOutcome readable_outcome_of(const RunEnd& end, const RunDirectory& directory) try {
+RunOutcome readable_outcome_of(const ProcessEnd& end, const RunDirectory& directory) try {
   return outcome_of(end, directory);
 } catch (const std::filesystem::filesystem_error& error) {
   if (is_shortage(error)) throw;
@@ -46,7 +46,7 @@ void Service::take_over() {
     executor_.cancel(claim.handle, StopBy::kill);
     executor_.wait_until_free(directory);
     directory.remove_partial_files();
-    record(claim, readable_outcome_of(RunEnd{}, directory));
+    record(claim, readable_outcome_of(ProcessEnd{}, directory));
   }
   derive_old_points(database_);
   price_cases(database_);
@@ -233,7 +233,7 @@ bool Service::start_next() {
   or_put_back(*claim, [&] {
     is_complete = directory.result().has_value();
     if (is_complete)
-      record(*claim, outcome_of(RunEnd{}, directory));
+      record(*claim, outcome_of(ProcessEnd{}, directory));
     else
       spawn(*claim);
   });
@@ -268,7 +268,7 @@ void Service::follow(const Claim& claim) {
 
 void Service::look_after(Run& run) {
   if (run.end) return;
-  feel_pulse(run);
+  check_progress(run);
   hold_to_limits(run);
   if (draining_ || queue_.is_to_be_cancelled(run.claim)) ask_to_stop(run);
   run.end = executor_.poll(run.claim.handle);
@@ -292,15 +292,15 @@ void Service::keep_lease(Run& run) {
 
 /// Only a process that computes keeps its lease: one that was stopped or hangs is killed after as many still
 /// heartbeats as a lease has.
-void Service::feel_pulse(Run& run) {
+void Service::check_progress(Run& run) {
   const auto now = clock_.elapsed();
-  if (now - run.pulse_felt < queue_.heartbeat()) return;
-  run.pulse_felt = now;
+  if (now - run.progress_checked < queue_.heartbeat()) return;
+  run.progress_checked = now;
   const auto usage = executor_.usage(run.claim.handle);
   if (!usage) return;
-  run.still_beats = usage->cpu_seconds == run.cpu_seconds ? run.still_beats + 1 : 0;
+  run.idle_heartbeats = usage->cpu_seconds == run.cpu_seconds ? run.idle_heartbeats + 1 : 0;
   run.cpu_seconds = usage->cpu_seconds;
-  if (run.still_beats >= JobQueue::kHeartbeats) kill(run);
+  if (run.idle_heartbeats >= JobQueue::kHeartbeats) kill(run);
 }
 
 /// A run that takes too much memory is killed; one that takes too long may write a checkpoint, from which a
@@ -323,7 +323,7 @@ void Service::hold_to_limits(Run& run) {
 RunOutcome Service::outcome_of_run(const Run& run) const {
   RunOutcome outcome = readable_outcome_of(*run.end, data_.run(run.claim.case_id));
   using Kind = RunOutcome::Kind;
-  const bool has_error = run.end->how == RunEnd::How::exited && run.end->number == kExitError;
+  const bool has_error = run.end->how == ProcessEnd::How::exited && run.end->number == kExitError;
   const bool has_directory = std::filesystem::exists(data_.run(run.claim.case_id).path());
   if (!outcome.result && has_error && !has_directory)
     return {Kind::interrupted, "its directory was removed", {}};
@@ -331,7 +331,7 @@ RunOutcome Service::outcome_of_run(const Run& run) const {
     return {Kind::interrupted, "the disk was full", {}};
   if (outcome.result) return outcome;
   if (!run.beyond.empty()) return {Kind::failed, run.beyond, {}};
-  if (run.is_killed && run.still_beats >= JobQueue::kHeartbeats)
+  if (run.is_killed && run.idle_heartbeats >= JobQueue::kHeartbeats)
     return {Kind::crashed, "it stood still until its lease ran out, and was killed", {}};
   if (run.is_killed) return {Kind::interrupted, "it did not stop when it was asked to, and was killed", {}};
   if (run.stop_asked && outcome.kind == Kind::crashed)

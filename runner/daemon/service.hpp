@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "runner/daemon/executor.hpp"
-#include "runner/store/clock.hpp"
-#include "runner/store/database.hpp"
 #include "runner/queue/job_queue.hpp"
-#include "runner/store/readers.hpp"
 #include "runner/recording/history.hpp"
-#include "runner/store/data_directory.hpp"
 #include "runner/recording/outcome.hpp"
+#include "runner/store/clock.hpp"
+#include "runner/store/data_directory.hpp"
+#include "runner/store/database.hpp"
+#include "runner/store/readers.hpp"
 
 namespace capstan {
 
@@ -84,11 +84,11 @@ class Service {
     Claim claim;
     HistoryTail history;
     Time renewed;
-    std::chrono::milliseconds started, pulse_felt;  ///< on the clock's elapsed()
-    double cpu_seconds = 0;                         ///< when its pulse was felt
-    int still_beats = 0;                            ///< heartbeats without computing
+    std::chrono::milliseconds started, progress_checked;  ///< on the clock's elapsed()
+    double cpu_seconds = 0;                               ///< when its pulse was felt
+    int idle_heartbeats = 0;                              ///< heartbeats without computing
     std::optional<std::chrono::milliseconds> stop_asked = {};
-    std::optional<RunEnd> end = {};
+    std::optional<ProcessEnd> end = {};
     bool is_killed = false;
     std::string beyond = {};  ///< the limit that it went beyond
     bool is_recorded = false;
@@ -116,7 +116,7 @@ class Service {
   void look_after(Run& run);
   void write_down(Run& run);
   void keep_lease(Run& run);
-  void feel_pulse(Run& run);
+  void check_progress(Run& run);
   void hold_to_limits(Run& run);
   RunOutcome outcome_of_run(const Run& run) const;
   void ask_to_stop(Run& run);
@@ -130,7 +130,7 @@ class Service {
   const Clock& clock_;
   const std::size_t cores_;
   const Limits limits_;
-  std::uintmax_t kept_free_ = kLeastFree;
+  std::uintmax_t kept_free_ = kMinFree;
   std::function<void()> changed_ = [] {};
 
   mutable std::mutex damage_mutex_;

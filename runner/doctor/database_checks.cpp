@@ -11,9 +11,9 @@ std::vector<std::string> first_column(Statement row) {
 
 /// All that `quick_check` says of the whole database, or of one table and its indices, but "ok".
 std::vector<std::string> quick_faults(Database& database, const std::string& table = "") {
-  constexpr const char* kMost = "3";
+  constexpr const char* kMax = "3";
   std::vector<std::string> faults =
-      first_column(database.query("PRAGMA quick_check(" + (table.empty() ? kMost : table) + ")"));
+      first_column(database.query("PRAGMA quick_check(" + (table.empty() ? kMax : table) + ")"));
   std::erase(faults, "ok");
   return faults;
 }
@@ -33,10 +33,10 @@ std::vector<std::string> quick_faults_but_of_histories(Database& database) {
 
 /// The quick check does not see that a page of histories stands in the place of another one.
 std::vector<std::string> faults_at_start(Database& database, std::uintmax_t bytes) {
-  constexpr std::uintmax_t kLargestWhole = 4'000'000'000;  // 500 MB take 2 s
-  constexpr std::uintmax_t kLargestThorough = 200'000'000;
-  if (bytes <= kLargestThorough) return integrity_faults(database);
-  return bytes <= kLargestWhole ? quick_faults(database) : quick_faults_but_of_histories(database);
+  constexpr std::uintmax_t kMaxWhole = 4'000'000'000;  // 500 MB take 2 s
+  constexpr std::uintmax_t kMaxThorough = 200'000'000;
+  if (bytes <= kMaxThorough) return integrity_faults(database);
+  return bytes <= kMaxWhole ? quick_faults(database) : quick_faults_but_of_histories(database);
 }
 
 }  // namespace
@@ -59,10 +59,12 @@ std::vector<std::string> damage_of(Database& database) {
 std::vector<std::string> miscounted_studies(Database& database) {
   return first_column(database.query(
       "WITH c AS ("
-      " SELECT study_id, sum(state = 'queued') queued, sum(state = 'running') running, sum(state = 'done') done,"
+      " SELECT study_id, sum(state = 'queued') queued, sum(state = 'running') running, sum(state = 'done') "
+      "done,"
       " sum(state = 'failed') failed, sum(state = 'diverged') diverged, sum(state = 'cancelled') cancelled,"
       " sum(cost) cost_total, sum(cost * (state NOT IN ('queued', 'running', 'cancelled'))) cost_ended"
-      " FROM (SELECT DISTINCT study_id, case_id FROM study_cases) w JOIN cases ON id = w.case_id GROUP BY study_id),"
+      " FROM (SELECT DISTINCT study_id, case_id FROM study_cases) w JOIN cases ON id = w.case_id GROUP BY "
+      "study_id),"
       " p AS ("
       " SELECT study_id, count(*) points,"
       " sum(motion IS 'tumbling') tumbling, sum(motion IS 'tank_treading') tank_treading,"

@@ -3,12 +3,12 @@
 #include <functional>
 #include <optional>
 
-#include "runner/store/database.hpp"
-#include "runner/store/schema.hpp"
 #include "runner/doctor/damaged_checkpoints.hpp"
-#include "runner/store/data_directory.hpp"
 #include "runner/doctor/database_checks.hpp"
 #include "runner/doctor/run_checks.hpp"
+#include "runner/store/data_directory.hpp"
+#include "runner/store/database.hpp"
+#include "runner/store/schema.hpp"
 
 namespace capstan {
 namespace {
@@ -41,9 +41,8 @@ class Doctor {
       found((data_ / "runs").string() + " is missing",
             [this] { std::filesystem::create_directories(data_ / "runs"); });
     for (const std::filesystem::path& place : {data_, data_ / "runs"})
-      if (std::filesystem::exists(place) && std::filesystem::space(place).available < kLeastFree)
-        found("less than " + std::to_string(kLeastFree / 1'000'000) + " MB are free in " + place.string(),
-              {});
+      if (std::filesystem::exists(place) && std::filesystem::space(place).available < kMinFree)
+        found("less than " + std::to_string(kMinFree / 1'000'000) + " MB are free in " + place.string(), {});
   }
 
   /// False if it is damaged: then nothing that it says can be relied on.

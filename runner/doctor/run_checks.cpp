@@ -1,7 +1,7 @@
 #include "runner/doctor/run_checks.hpp"
 
 #include "runner/recording/history.hpp"
-#include "runner/daemon/orphans.hpp"
+#include "runner/store/orphans.hpp"
 #include "solver/run_directory/durable_file.hpp"
 
 namespace capstan {

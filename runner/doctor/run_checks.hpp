@@ -3,8 +3,8 @@
 #include <functional>
 #include <string>
 
-#include "runner/store/database.hpp"
 #include "runner/store/data_directory.hpp"
+#include "runner/store/database.hpp"
 
 namespace capstan {
 

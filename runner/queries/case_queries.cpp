@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "runner/recording/history.hpp"
 #include "runner/queries/queries.hpp"
-#include "runner/store/timestamp.hpp"
 #include "runner/queries/typed_value.hpp"
+#include "runner/recording/history.hpp"
+#include "runner/store/timestamp.hpp"
 #include "runner/study/axis.hpp"
 
 namespace capstan {
@@ -17,8 +17,8 @@ constexpr const char* kColumns =
     "SELECT c.id, c.state, c.message, c.document, c.kt, c.attempt, c.crashes, r.motion, r.document";
 constexpr const char* kTables = " FROM cases c LEFT JOIN results r ON r.case_id = c.id ";
 
-/// After them, where a study is asked for, what concerns the point. CROSS JOIN keeps the order of the tables: along
-/// the study, so that a page costs what it holds.
+/// After them, where a study is asked for, what concerns the point. CROSS JOIN keeps the order of the tables:
+/// along the study, so that a page costs what it holds.
 constexpr const char* kOfPoint =
     ", s.position, s.replaces, s.asked,"
     " (SELECT min(position) FROM study_cases f WHERE f.case_id = s.case_id AND f.study_id = s.study_id)"
@@ -95,7 +95,8 @@ ordered_json point_of(const Statement& row) {
 
 /// The value that the filter wants of state or motion, or "".
 std::string wanted_word(const CaseFilter& filter, const std::string& key) {
-  const auto found = std::find_if(filter.begin(), filter.end(), [&](const auto& each) { return each.first == key; });
+  const auto found =
+      std::find_if(filter.begin(), filter.end(), [&](const auto& each) { return each.first == key; });
   return found == filter.end() ? "" : found->second;
 }
 

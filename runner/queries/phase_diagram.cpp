@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "runner/render/table.hpp"
 #include "runner/queries/typed_value.hpp"
+#include "runner/study/shown_value.hpp"
 
 namespace capstan {
 namespace {
@@ -31,7 +31,7 @@ std::string values_in_words(const std::vector<json>& values) {
   constexpr std::size_t kMaxNamed = 20;
   std::string words;
   for (std::size_t i = 0; i < std::min(values.size(), kMaxNamed); ++i)
-    words += (i > 0 ? ", " : "") + plain(values[i]);
+    words += (i > 0 ? ", " : "") + shown_value(values[i]);
   return values.size() > kMaxNamed ? words + ", ... (" + std::to_string(values.size()) + " values)" : words;
 }
 
@@ -106,7 +106,7 @@ class DiagramReader {
       diagram.at[axis.parameter] = axis.values[0];
     else
       fault("at", axis.parameter + " is not fixed: say at which value, as in at=" + axis.parameter + "=" +
-                      plain(axis.values[0]) + "; it has: " + values_in_words(axis.values));
+                      shown_value(axis.values[0]) + "; it has: " + values_in_words(axis.values));
   }
 
   std::vector<PhaseAxis> axes_;

@@ -17,8 +17,8 @@ inline constexpr std::size_t kPageBytes = 1 << 20;
 
 /// A part of a list: at most `limit` items, those that come after the item at `after`.
 struct PageRequest {
-  static constexpr int kMost = 1000;
-  int limit = kMost;
+  static constexpr int kMax = 1000;
+  int limit = kMax;
   std::optional<std::int64_t> after;
 };
 
@@ -30,12 +30,13 @@ struct Page {
 /// The studies, the newest first. Long descriptions are cut.
 Page list_studies(Database& database, const PageRequest& wanted);
 
-/// One study: its axes, the number of its points, how many of its distinct cases are in which state and how many
-/// of its points are of which motion, and its progress from 0 to 1.
+/// One study: its axes, the number of its points, how many of its distinct cases are in which state and how
+/// many of its points are of which motion, and its progress from 0 to 1.
 std::optional<nlohmann::ordered_json> find_study(Database& database, const std::string& study_id);
 
-/// Conditions on points, all to be met: {"motion", "tumbling"}, {"state", "done"}, or a parameter and its value:
-/// what was asked for, where the parameter is an axis; else what the case has, or the base's word for it.
+/// Conditions on points, all to be met: {"motion", "tumbling"}, {"state", "done"}, or a parameter and its
+/// value: what was asked for, where the parameter is an axis; else what the case has, or the base's word for
+/// it.
 using CaseFilter = std::vector<std::pair<std::string, std::string>>;
 
 /// The points of a study with their cases, in the study's order. The filter has been checked.

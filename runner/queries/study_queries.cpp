@@ -94,10 +94,10 @@ ordered_json study_of(Database& database, const Statement& row) {
 
 /// The beginning of a long description; the whole one is in the study itself.
 void shorten(ordered_json& description) {
-  constexpr std::size_t kLongest = 200;
+  constexpr std::size_t kMax = 200;
   std::string& text = description.get_ref<std::string&>();
-  if (text.size() <= kLongest) return;
-  std::size_t end = kLongest;
+  if (text.size() <= kMax) return;
+  std::size_t end = kMax;
   while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // not within a character
   text = text.substr(0, end) + "...";
 }

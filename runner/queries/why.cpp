@@ -18,9 +18,9 @@ void add_reason_of_study(Database& database, const Statement& study, std::size_t
   const std::string id = "study " + study.text(0);
   if (study.integer(1) != 0) return reasons.push_back(id + " is cancelled");
   if (study.integer(2) != 0) return reasons.push_back(id + " is paused: capstan resume " + study.text(0));
-  const auto ahead =
-      number(database.query("SELECT count(DISTINCT case_id) FROM waiting WHERE study_number = ? AND position < ?",
-                            study.integer(3), study.integer(4)));
+  const auto ahead = number(
+      database.query("SELECT count(DISTINCT case_id) FROM waiting WHERE study_number = ? AND position < ?",
+                     study.integer(3), study.integer(4)));
   const auto others = number(database.query(
       "SELECT count(*) FROM schedule WHERE queued > 0 AND is_paused = 0 AND number <> ?1 AND priority >="
       " (SELECT priority FROM schedule WHERE number = ?1)",

@@ -3,8 +3,8 @@
 #include <map>
 
 #include "runner/queries/queries.hpp"
-#include "runner/store/timestamp.hpp"
 #include "runner/queries/why.hpp"
+#include "runner/store/timestamp.hpp"
 
 namespace capstan {
 namespace {

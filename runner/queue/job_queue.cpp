@@ -2,16 +2,16 @@
 
 #include <random>
 
-#include "runner/store/fail_point.hpp"
 #include "runner/queue/points.hpp"
 #include "runner/queue/replacement.hpp"
+#include "runner/store/fail_point.hpp"
 #include "runner/study/small_letters.hpp"
 #include "solver/case/content_id.hpp"
 
 namespace capstan {
 namespace {
 
-std::string_view word(Ending ending) {
+std::string_view to_string(Ending ending) {
   switch (ending) {
     case Ending::done:
       return "done";
@@ -273,9 +273,9 @@ bool JobQueue::end_attempt(const Claim& claim, std::string_view ending, const st
 
 bool JobQueue::finish(const Claim& claim, Ending ending, const std::string& message) {
   Transaction transaction(database_);
-  if (!end_attempt(claim, word(ending), message)) return false;
+  if (!end_attempt(claim, to_string(ending), message)) return false;
   database_.execute("UPDATE cases SET state = ?, message = ?, cancel_requested = 0 WHERE id = ?",
-                    word(ending), message, claim.case_id);
+                    to_string(ending), message, claim.case_id);
   transaction.commit();
   return true;
 }
@@ -299,7 +299,7 @@ bool JobQueue::crashed(const Claim& claim, const std::string& reason) {
       " state = CASE WHEN cancel_requested THEN 'cancelled' WHEN crashes + 1 < ?2 THEN 'queued' ELSE "
       "'failed' END"
       " WHERE id = ?3",
-      reason, kMostCrashes, claim.case_id, Time(clock_.now() + kBackOff));
+      reason, kMaxCrashes, claim.case_id, Time(clock_.now() + kBackOff));
   transaction.commit();
   return true;
 }

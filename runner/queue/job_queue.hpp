@@ -54,7 +54,7 @@ class JobQueue {
  public:
   static constexpr std::chrono::seconds kLease{60};
   static constexpr int kHeartbeats = 6;  ///< in one lease
-  static constexpr int kMostCrashes = 2;
+  static constexpr int kMaxCrashes = 2;
   static constexpr std::chrono::seconds kBackOff{5};  ///< between a crash and the next attempt
 
   /// \param database  the writer; whoever shares the queue between threads locks

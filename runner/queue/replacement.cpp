@@ -106,11 +106,11 @@ Issues replace_failed(Database& database, const std::string& study_id, const nlo
 
 void price_cases(Database& database) {
   constexpr double kOfARefusedCase = 1;
-  constexpr double kLeast = 1e-9;  // 0 is "not known yet"
+  constexpr double kMin = 1e-9;  // 0 is "not known yet"
   change_all(database, "SELECT id, document FROM cases WHERE cost = 0 LIMIT ?", [&](const Stored& old) {
     const ParsedCase parsed = parse_stored_case(old.document);
     const double cost = parsed.value ? run_cost(*parsed.value) : kOfARefusedCase;
-    database.execute("UPDATE cases SET cost = ? WHERE id = ?", std::max(cost, kLeast), old.id);
+    database.execute("UPDATE cases SET cost = ? WHERE id = ?", std::max(cost, kMin), old.id);
   });
 }
 

@@ -25,7 +25,8 @@ RunOutcome outcome_of_result(nlohmann::ordered_json result) {
   const bool has_answer = answers.contains(text_at(result, "stop"));
   if (!has_answer) result["motion"] = nullptr;  // older solvers gave one to failed runs
   std::string message = text_at(result, "message");
-  return {has_answer ? RunOutcome::Kind::done : RunOutcome::Kind::diverged, std::move(message), std::move(result)};
+  return {has_answer ? RunOutcome::Kind::done : RunOutcome::Kind::diverged, std::move(message),
+          std::move(result)};
 }
 
 std::string with_log(const std::string& why, const RunDirectory& directory) {
@@ -35,11 +36,11 @@ std::string with_log(const std::string& why, const RunDirectory& directory) {
 
 }  // namespace
 
-RunOutcome outcome_of(const RunEnd& end, const RunDirectory& directory) {
+RunOutcome outcome_of(const ProcessEnd& end, const RunDirectory& directory) {
   if (auto result = directory.result()) return outcome_of_result(std::move(*result));
   using Kind = RunOutcome::Kind;
-  if (end.how == RunEnd::How::lost) return {Kind::interrupted, "the daemon ended while it ran", {}};
-  if (end.how == RunEnd::How::exited) {
+  if (end.how == ProcessEnd::How::lost) return {Kind::interrupted, "the daemon ended while it ran", {}};
+  if (end.how == ProcessEnd::How::exited) {
     switch (end.number) {
       case kExitDone:
         return {Kind::crashed, with_log("it ended well, but left no result.json", directory), {}};

@@ -4,7 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "runner/daemon/executor.hpp"
+#include "runner/recording/process_end.hpp"
+#include "solver/run_directory/run_directory.hpp"
 
 namespace capstan {
 
@@ -17,6 +18,6 @@ struct RunOutcome {
 
 /// A result.json says that the run is complete, however its process ended after that. Without one the exit
 /// status counts (schema/exit_codes.md).
-RunOutcome outcome_of(const RunEnd& end, const RunDirectory& directory);
+RunOutcome outcome_of(const ProcessEnd& end, const RunDirectory& directory);
 
 }  // namespace capstan

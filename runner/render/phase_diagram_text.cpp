@@ -3,6 +3,7 @@
 
 #include "runner/queries/phase_diagram.hpp"
 #include "runner/render/table.hpp"
+#include "runner/study/shown_value.hpp"
 
 namespace capstan {
 namespace {
@@ -46,7 +47,7 @@ std::string centred(const std::string& text, std::size_t width) {
 
 std::size_t widest(const PhaseAxis& axis) {
   std::size_t width = 0;
-  for (const nlohmann::json& value : axis.values) width = std::max(width, plain(value).size());
+  for (const nlohmann::json& value : axis.values) width = std::max(width, shown_value(value).size());
   return width;
 }
 
@@ -66,14 +67,15 @@ std::string legend(const PhaseDiagram& diagram, bool coloured) {
 /// "at E_b = 0.015", one line an axis that is not drawn.
 std::string fixed_text(const PhaseDiagram& diagram) {
   std::string text;
-  for (const auto& [parameter, value] : diagram.at) text += "at " + parameter + " = " + plain(value) + "\n";
+  for (const auto& [parameter, value] : diagram.at)
+    text += "at " + parameter + " = " + shown_value(value) + "\n";
   return text.empty() ? text : text + "\n";
 }
 
 /// One row of cells, with its y value in front.
 std::string row_text(const PhaseDiagram& diagram, std::size_t row, std::size_t margin, std::size_t cell,
                      bool coloured) {
-  std::string line = aligned_right(plain(diagram.y.values[row]), margin) + " |";
+  std::string line = aligned_right(shown_value(diagram.y.values[row]), margin) + " |";
   for (const PhaseCell& at : diagram.rows[row]) {
     const Mark& mark = mark_of(at);
     line += painted(centred(mark.text, cell), mark, coloured);
@@ -91,7 +93,7 @@ std::string render(const PhaseDiagram& diagram, bool coloured) {
     text += row_text(diagram, row, margin, cell, coloured);
   text += std::string(margin, ' ') + " +" + std::string(cell * diagram.x.values.size(), '-') + "\n";
   text += std::string(margin + 2, ' ');
-  for (const nlohmann::json& value : diagram.x.values) text += centred(plain(value), cell);
+  for (const nlohmann::json& value : diagram.x.values) text += centred(shown_value(value), cell);
   return text + "  " + diagram.x.parameter + "\n\n" + fixed_text(diagram) + legend(diagram, coloured);
 }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "runner/study/axis.hpp"
+#include "runner/study/shown_value.hpp"
 #include "solver/case/choice.hpp"
 
 namespace capstan {
@@ -15,7 +16,8 @@ using Row = std::map<std::string, ordered_json>;
 
 std::string item_text(const ordered_json& item) {
   const bool is_choice = item.is_object() && item.contains("reason");
-  return is_choice ? in_words({item["key"], item["asked"], item["chosen"], item["reason"]}) : plain(item);
+  return is_choice ? in_words({item["key"], item["asked"], item["chosen"], item["reason"]})
+                   : shown_value(item);
 }
 
 std::string list_text(const ordered_json& list) {

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "runner/render/printable.hpp"
+#include "runner/study/shown_value.hpp"
 
 namespace capstan {
 namespace {
@@ -30,7 +31,7 @@ std::string spaces_up_to(std::size_t width, const std::string& text) {
 std::string short_text(const ordered_json& value, bool is_exact) {
   if (value.is_number_float() && !is_exact)
     return number_text(value.get<double>(), std::chars_format::general, 4);
-  const std::string text = printable(plain(value));
+  const std::string text = printable(shown_value(value));
   return text.substr(0, text.find('\n'));  // the rest of a message is for `show`
 }
 
@@ -62,13 +63,6 @@ bool is_numeric(const Table& table, std::size_t column) {
 }
 
 }  // namespace
-
-std::string plain(const ordered_json& value) {
-  if (value.is_null()) return "";
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_float()) return number_text(value.get<double>());
-  return value.dump();
-}
 
 std::string aligned_right(const std::string& text, std::size_t width) {
   return spaces_up_to(width, text) + text;
@@ -103,7 +97,7 @@ std::string csv_rows(const Table& table) {
   std::string text;
   for (const auto& row : table.rows) {
     for (std::size_t column = 0; column < row.size(); ++column)
-      text += (column > 0 ? "," : "") + quoted(plain(row[column]));
+      text += (column > 0 ? "," : "") + quoted(shown_value(row[column]));
     text += "\r\n";
   }
   return text;

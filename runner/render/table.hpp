@@ -13,10 +13,6 @@ struct Table {
   std::set<std::size_t> exact = {};  ///< columns whose numbers are shown in full also to people
 };
 
-/// A value as people write it: words without quotes, shortest round-trip numbers ("1", not "1.0"), "" for
-/// null.
-std::string plain(const nlohmann::ordered_json& value);
-
 std::string aligned_right(const std::string& text, std::size_t width);
 std::string without_trailing_spaces(std::string line);
 

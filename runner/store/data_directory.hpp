@@ -8,16 +8,16 @@
 namespace capstan {
 
 /// With less left on the disk no more is promised.
-inline constexpr std::uintmax_t kLeastFree = 100'000'000;  // bytes
+inline constexpr std::uintmax_t kMinFree = 100'000'000;  // bytes
 
 /// Its name, if statfs(2)'s f_type is that of a network file system, or "".
 std::string network_file_system(long type);
 
 class DataDirectory {
  public:
-  /// Makes the directory if need be and holds it until the process ends, whoever removes the file `lock`. Throws std::runtime_error when
-  /// another daemon holds it, or when it lies on a network file system: SQLite's log cannot be kept there.
-  /// Only `runs` may, as a symbolic link.
+  /// Makes the directory if need be and holds it until the process ends, whoever removes the file `lock`.
+  /// Throws std::runtime_error when another daemon holds it, or when it lies on a network file system:
+  /// SQLite's log cannot be kept there. Only `runs` may, as a symbolic link.
   explicit DataDirectory(const std::filesystem::path& path);
   ~DataDirectory();
   DataDirectory(const DataDirectory&) = delete;

@@ -67,7 +67,7 @@ void IdleStatements::give_back(sqlite3_stmt* statement) {
   sqlite3_reset(statement);
   sqlite3_clear_bindings(statement);
   idle_.push_back(statement);
-  if (idle_.size() <= kMost) return;
+  if (idle_.size() <= kMax) return;
   sqlite3_finalize(idle_.front());
   idle_.erase(idle_.begin());
 }

@@ -45,7 +45,7 @@ inline constexpr const char* kWhatToDoAboutDamage =
 /// takes some 20 kB, so beyond a number the one that was not used for longest goes.
 class IdleStatements {
  public:
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMax = 64;
   ~IdleStatements();
   sqlite3_stmt* take(std::string_view sql);  ///< nullptr if there is none
   void give_back(sqlite3_stmt* statement);

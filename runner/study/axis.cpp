@@ -14,22 +14,25 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kFewestDigits = 6, kMostDigits = 15;  // a double holds 15 decimal digits
+constexpr int kMinDigits = 6, kMaxDigits = 15;  // a double holds 15 decimal digits
 
 double rounded(double number, int digits) {
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.begin(), text.end(), number, std::chars_format::scientific, digits - 1).ptr;
+  const auto end =
+      std::to_chars(text.begin(), text.end(), number, std::chars_format::scientific, digits - 1).ptr;
   double result = number;
   std::from_chars(text.begin(), end, result);
   return result;
 }
 
-/// Rounding to d digits moves a value by at most 0.5 * 10^(1-d) of itself; both neighbours together by less than a
-/// tenth of their distance.
+/// Rounding to d digits moves a value by at most 0.5 * 10^(1-d) of itself; both neighbours together by less
+/// than a tenth of their distance.
 double digits_for(double relative_spacing) { return std::ceil(1 + std::log10(10 / relative_spacing)); }
 
 /// -0.0 is 0.
-json without_sign_of_zero(const json& value) { return value.is_number_float() && value == 0.0 ? json(0.0) : value; }
+json without_sign_of_zero(const json& value) {
+  return value.is_number_float() && value == 0.0 ? json(0.0) : value;
+}
 
 AxisList listed_once(const json& given) {
   AxisList list;
@@ -78,7 +81,7 @@ class RangeReader {
   void require_distance(const AxisRange& range) {
     if (range.from == range.to)
       issues_.push_back({pointer_, "from and to are the same number: give a list of one value"});
-    else if (!(digits_for(range.relative_spacing()) <= kMostDigits))
+    else if (!(digits_for(range.relative_spacing()) <= kMaxDigits))
       issues_.push_back({pointer_, "the values lie too close together: 15 digits do not tell them apart"});
   }
 
@@ -118,7 +121,7 @@ double AxisRange::value(std::size_t index) const {
   const double exact = logarithmic ? from * std::pow(to / from, fraction) : from + (to - from) * fraction;
   const bool is_rounding_error = !logarithmic && std::abs(exact) < 1e-9 * std::abs(to - from) / last;
   if (is_rounding_error) return 0;
-  const double digits = std::max<double>(kFewestDigits, digits_for(relative_spacing()));
+  const double digits = std::max<double>(kMinDigits, digits_for(relative_spacing()));
   return rounded(exact, static_cast<int>(digits));
 }
 

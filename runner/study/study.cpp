@@ -40,9 +40,9 @@ std::optional<std::size_t> axis_of(const std::string& case_pointer, const std::v
 
 /// Its faults are too many, or too long, to be found again at each point.
 bool is_large(const json& value) {
-  constexpr std::size_t kLongestWord = 40;
+  constexpr std::size_t kMaxWord = 40;
   return value.is_structured() ||
-         (value.is_string() && value.get_ref<const std::string&>().size() > kLongestWord);
+         (value.is_string() && value.get_ref<const std::string&>().size() > kMaxWord);
 }
 
 /// Takes out what stands at the pointer, if anything does.
@@ -63,12 +63,12 @@ void limit_number(Issues& issues) {
 
 /// 4.0 becomes 4 and -0.0 becomes 0, so that one study in two spellings is one document.
 void spell_numbers_alike(json& value) {
-  constexpr double kLargestWhole = 9007199254740992;  // 2^53: up to here a double holds every whole number
+  constexpr double kMaxWhole = 9007199254740992;  // 2^53: up to here a double holds every whole number
   if (value.is_structured())
     for (json& inner : value) spell_numbers_alike(inner);
   if (!value.is_number_float()) return;
   const double number = value;
-  if (number == std::floor(number) && std::abs(number) <= kLargestWhole)
+  if (number == std::floor(number) && std::abs(number) <= kMaxWhole)
     value = static_cast<std::int64_t>(number);
 }
 
@@ -174,9 +174,9 @@ class StudyReader {
   /// depends on it is then no fault of its own.
   void expand(json base, Study& study) {
     double points = product_size(study.axes);
-    const bool is_too_large = points > static_cast<double>(kMostCases);
+    const bool is_too_large = points > static_cast<double>(kMaxCases);
     if (is_too_large) {
-      fault("/axes", "make a grid of " + whole(points) + " cases; at most " + std::to_string(kMostCases) +
+      fault("/axes", "make a grid of " + whole(points) + " cases; at most " + std::to_string(kMaxCases) +
                          " are allowed");
       points = 1;  // enough to see what else is wrong with the base
     }
@@ -217,7 +217,8 @@ class StudyReader {
     return parsed.value;
   }
 
-  /// Drops the keys that have no effect at this point. Where a faulty value is left out nobody knows which have.
+  /// Drops the keys that have no effect at this point. Where a faulty value is left out nobody knows which
+  /// have.
   ParsedCase read_with_effect(json& flat, const std::vector<Axis>& axes, const AxisIndices& indices) {
     dropped_.count_point(listed_values(axes, indices));
     const auto is_useless = [](const Issue& issue) { return issue.without_effect; };

@@ -13,10 +13,10 @@
 namespace capstan {
 
 /// A larger grid is refused before it is expanded.
-inline constexpr std::size_t kMostCases = 10000;
+inline constexpr std::size_t kMaxCases = 10000;
 
-/// The points are the product of the axes, the last axis varying fastest. Different points can be the same case:
-/// where a value that was asked for has no effect, or resolves to what stands at another point.
+/// The points are the product of the axes, the last axis varying fastest. Different points can be the same
+/// case: where a value that was asked for has no effect, or resolves to what stands at another point.
 struct Study {
   std::string name;
   std::string description;

@@ -55,10 +55,10 @@ bool carries(const Head& head, const std::string& token) {
 }
 
 std::string checked(std::string token, const std::string& source) {
-  constexpr std::size_t kShortest = 16;
+  constexpr std::size_t kMin = 16;
   const bool is_visible =
       std::all_of(token.begin(), token.end(), [](char c) { return c > 0x20 && c < 0x7f; });
-  if (token.size() < kShortest || !is_visible)
+  if (token.size() < kMin || !is_visible)
     throw std::invalid_argument("the token in " + source +
                                 " must have 16 or more visible ASCII characters and no space");
   return token;

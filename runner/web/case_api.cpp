@@ -1,6 +1,6 @@
-#include "runner/render/export.hpp"
 #include "runner/queries/queries.hpp"
 #include "runner/queries/why.hpp"
+#include "runner/render/export.hpp"
 #include "runner/web/accept.hpp"
 #include "runner/web/api.hpp"
 

@@ -76,8 +76,8 @@ bool Connection::is_complete(const Judge& judge) {
 bool Connection::read_head(const Judge& judge) {
   constexpr std::string_view kEnd = "\r\n\r\n";
   const std::size_t end = received_.find(kEnd);
-  if (end == received_.npos || end + kEnd.size() > kLongestHead) {
-    if (received_.size() > kLongestHead)
+  if (end == received_.npos || end + kEnd.size() > kMaxHead) {
+    if (received_.size() > kMaxHead)
       refuse_with(problem(431, "Request header fields too large", "a head has at most 16 KiB"));
     return false;
   }
@@ -160,13 +160,13 @@ bool Connection::has_unread() const {
 }
 
 bool Connection::absorb() {
-  constexpr std::size_t kMost = 16 << 20;
+  constexpr std::size_t kMax = 16 << 20;
   char part[16 << 10];
-  while (absorbed_ < kMost) {
+  while (lingered_bytes_ < kMax) {
     const ssize_t count = recv(socket_, part, sizeof part, MSG_DONTWAIT);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return count < 0 && is_to_be_tried_again(errno);
-    absorbed_ += static_cast<std::size_t>(count);
+    lingered_bytes_ += static_cast<std::size_t>(count);
   }
   return false;
 }

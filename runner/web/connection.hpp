@@ -83,7 +83,7 @@ class Connection : public httplib::Stream {
   mutable std::size_t sent_ = 0;  ///< of those
   mutable bool is_gone_ = false;
   Steady::time_point stuck_since_;
-  std::size_t absorbed_ = 0;
+  std::size_t lingered_bytes_ = 0;
   int status_ = 0;
   std::size_t bytes_written_ = 0;
 };

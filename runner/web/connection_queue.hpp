@@ -13,7 +13,7 @@ namespace capstan {
 class ConnectionQueue {
  public:
   /// The cases of a large study take a second: the other threads stay free for short answers.
-  static constexpr int kMostBodies = 6;
+  static constexpr int kMaxBodies = 6;
 
   void push(std::unique_ptr<Connection> connection) {
     const std::lock_guard lock(mutex_);
@@ -67,7 +67,7 @@ class ConnectionQueue {
 
   Waiting::iterator first_allowed() {
     return std::find_if(waiting_.begin(), waiting_.end(),
-                        [&](const auto& each) { return bodies_ < kMostBodies || !each->has_body(); });
+                        [&](const auto& each) { return bodies_ < kMaxBodies || !each->has_body(); });
   }
 
   std::mutex mutex_;

@@ -51,7 +51,7 @@ std::optional<Response> read_target(string_view target, Head& head) {
   if (target.front() != '/') return bad_request("the target must be a path");
   if (target.find('#') != target.npos) return bad_request("a fragment is not sent to a server");
   const string_view path = target.substr(0, target.find('?'));
-  if (path.size() > kLongestPath) return problem(414, "URI too long", "paths have at most 1000 characters");
+  if (path.size() > kMaxPath) return problem(414, "URI too long", "paths have at most 1000 characters");
   if (!percent_decoded(target))
     return bad_request("a % in the target is not followed by two hexadecimal digits");
   if (has_control_characters(*percent_decoded(path))) return bad_request("the path has a control character");
@@ -78,11 +78,11 @@ std::optional<Response> read_request_line(string_view line, Head& head) {
 }
 
 std::optional<Response> read_field(string_view line, Head& head) {
-  constexpr std::size_t kMostFields = 100;
+  constexpr std::size_t kMaxFields = 100;
   const auto colon = line.find(':');
   if (colon == line.npos || !is_token(line.substr(0, colon)))
     return bad_request("a header line is no NAME: VALUE");
-  if (head.fields.size() == kMostFields)
+  if (head.fields.size() == kMaxFields)
     return problem(431, "Request header fields too large", "there are more than 100 header lines");
   head.fields.emplace_back(line.substr(0, colon), without_space_around(line.substr(colon + 1)));
   return std::nullopt;
@@ -158,8 +158,7 @@ ParsedHead parse_head(string_view text) {
 std::optional<Response> refuse_hazards(const Head& head) {
   if (head.count("Transfer-Encoding") > 0)
     return problem(411, "Length required", "send the body with a Content-Length, not in chunks");
-  if (head.content_length > kLongestBody)
-    return problem(413, "Content too large", "a body has at most 1 MiB");
+  if (head.content_length > kMaxBody) return problem(413, "Content too large", "a body has at most 1 MiB");
   if (head.count("Content-Encoding") > 0)
     return problem(415, "Unsupported media type", "send the body uncompressed");
   if (head.content_length > 0 && !has_media_type(head, "application/json"))

@@ -22,9 +22,9 @@ struct Head {
   std::size_t count(std::string_view name) const;
 };
 
-inline constexpr std::size_t kLongestHead = 16 << 10;  // a browser's has 1 kB
-inline constexpr std::size_t kLongestBody = 1 << 20;   // a study of 10,000 listed values has 100 kB
-inline constexpr std::size_t kLongestPath = 1000;      // the library matches paths by recursion
+inline constexpr std::size_t kMaxHead = 16 << 10;  // a browser's has 1 kB
+inline constexpr std::size_t kMaxBody = 1 << 20;   // a study of 10,000 listed values has 100 kB
+inline constexpr std::size_t kMaxPath = 1000;      // the library matches paths by recursion
 
 struct ParsedHead {
   Head head;                        ///< as far as it was read

@@ -17,7 +17,7 @@ Response get_health(Service& service, const Request&, const std::string&) {
 /// 503 when a submission could not be kept or computed: the database is damaged, gone, or cannot be read or
 /// written; the directory of the runs is gone; one of their disks is almost full.
 Response get_readiness(Service& service, const Request&, const std::string&) try {
-  constexpr std::uintmax_t kLeast = 100'000'000;  // bytes
+  constexpr std::uintmax_t kMin = 100'000'000;  // bytes
   service.expect_sound_database();
   Database database(service.data().database(), Database::Access::read);  // opened anew: is it still there?
   database.query("SELECT 1 FROM schedule").step();
@@ -30,7 +30,7 @@ Response get_readiness(Service& service, const Request&, const std::string&) try
     if (const std::string fault = WriteProbe(path).fault(); !fault.empty())
       return problem(503, "Not ready", "nothing can be written in " + path.string() + ": " + fault);
   const std::uintmax_t free = std::filesystem::space(service.data().path()).available;
-  if (free < kLeast) return problem(503, "Not ready", "less than 100 MB are free in the data directory");
+  if (free < kMin) return problem(503, "Not ready", "less than 100 MB are free in the data directory");
   return json_response(200, {{"status", "ready"}, {"free_bytes", free}});
 } catch (const DatabaseDamaged& error) {
   service.report_damage(error.what());

@@ -62,8 +62,8 @@ void allow_quick_restart(int socket) {
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
-/// What a large answer took goes back to the system: sixteen threads would keep a share each. After every answer
-/// that would take a third of the time.
+/// What a large answer took goes back to the system: sixteen threads would keep a share each. After every
+/// answer that would take a third of the time.
 void give_back_large(std::size_t answer_bytes) {
   constexpr std::size_t kLarge = 256 << 10;
   static std::mutex trimming;
@@ -99,7 +99,7 @@ void HttpServer::configure() {
   Get(any_path, answer).Post(any_path, answer).Put(any_path, answer);
   Patch(any_path, answer).Delete(any_path, answer).Options(any_path, answer);
   set_socket_options(allow_quick_restart);
-  set_payload_max_length(kLongestBody);
+  set_payload_max_length(kMaxBody);
   // What the library finds wrong by itself.
   set_error_handler([this](const httplib::Request&, httplib::Response& out) {
     if (out.body.empty())
@@ -175,7 +175,7 @@ void HttpServer::send(httplib::Response& out, const Response& response) {
 
 /// Each stream holds a thread as long as it lasts.
 void HttpServer::send_stream(httplib::Response& out, const Response& response) {
-  if (++traffic().streams > kMostStreams) {
+  if (++traffic().streams > kMaxStreams) {
     --traffic().streams;
     Response refusal = problem(503, "Too many streams", "too many clients follow studies already");
     refusal.headers["Retry-After"] = "5";
@@ -193,7 +193,7 @@ void HttpServer::send_stream(httplib::Response& out, const Response& response) {
 }
 
 void HttpServer::report(const Connection& connection) {
-  constexpr std::size_t kLongest = 200;
+  constexpr std::size_t kMax = 200;
   const Head& head = connection.head();
   const std::chrono::duration<double, std::milli> time = Connection::Steady::now() - connection.accepted();
   traffic().count(connection.status(), time);
@@ -202,7 +202,7 @@ void HttpServer::report(const Connection& connection) {
                 time.count());
   log_.write(timestamp(SystemClock().now().time_since_epoch().count()) + " " + connection.peer() + " " +
              (head.method.empty() ? "-" : head.method) + " " +
-             (head.target.empty() ? "-" : head.target.substr(0, kLongest)) + numbers);
+             (head.target.empty() ? "-" : head.target.substr(0, kMax)) + numbers);
 }
 
 }  // namespace capstan

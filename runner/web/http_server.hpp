@@ -22,7 +22,7 @@ namespace capstan {
 class HttpServer : private httplib::Server {
  public:
   static constexpr int kThreads = 16;
-  static constexpr int kMostStreams = kThreads / 2;  ///< the others stay free for short answers
+  static constexpr int kMaxStreams = kThreads / 2;  ///< the others stay free for short answers
 
   /// \param data  the data directory
   HttpServer(const std::filesystem::path& data, Access access);

@@ -50,7 +50,7 @@ PageQuery read_page_query(const Request& request) {
     if (key != "limit" && key != "after") page.rest.emplace_back(key, value);
   page.list = name_of_list(request.path, page.rest);
   for (const auto& [key, value] : request.query) {
-    if (key == "limit") page.wanted.limit = number_of<int>(value, 10).value_or(PageRequest::kMost);
+    if (key == "limit") page.wanted.limit = number_of<int>(value, 10).value_or(PageRequest::kMax);
     if (key == "after") read_after(value, page);
   }
   return page;

@@ -16,8 +16,8 @@ std::string anything(const std::string&) { return ""; }
 
 std::string fault_of_limit(const std::string& value) {
   const auto limit = number_in<int>(value);
-  if (limit && *limit >= 1 && *limit <= PageRequest::kMost) return "";
-  return "must be a whole number from 1 to " + std::to_string(PageRequest::kMost);
+  if (limit && *limit >= 1 && *limit <= PageRequest::kMax) return "";
+  return "must be a whole number from 1 to " + std::to_string(PageRequest::kMax);
 }
 
 std::string fault_of_number(const std::string& value) {
@@ -52,20 +52,21 @@ std::string fault_of_motion(const std::string& value) {
 }
 
 std::string fault_of_shape(const std::string& value) {
-  return fault_among(value, word(Shape::sphere), word(Shape::oblate), word(Shape::prolate),
-                     word(Shape::biconcave));
+  return fault_among(value, to_string(Shape::sphere), to_string(Shape::oblate), to_string(Shape::prolate),
+                     to_string(Shape::biconcave));
 }
 
 std::string fault_of_law(const std::string& value) {
-  return fault_among(value, word(Law::neo_hookean), word(Law::skalak));
+  return fault_among(value, to_string(Law::neo_hookean), to_string(Law::skalak));
 }
 
 std::string fault_of_bending(const std::string& value) {
-  return fault_among(value, word(BendingModel::variational), word(BendingModel::helfrich_literal));
+  return fault_among(value, to_string(BendingModel::variational), to_string(BendingModel::helfrich_literal));
 }
 
 std::string fault_of_fluid(const std::string& value) {
-  return fault_among(value, word(Fluid::quasisteady), word(Fluid::transient), word(Fluid::stokes), "auto");
+  return fault_among(value, to_string(Fluid::quasisteady), to_string(Fluid::transient),
+                     to_string(Fluid::stokes), "auto");
 }
 
 std::string fault_of_c0(const std::string& value) {
@@ -89,11 +90,11 @@ constexpr Parameter kPage[] = {
 };
 
 constexpr Parameter kCaseList[] = {
-    {"limit", fault_of_limit},     {"after", anything},       {"state", fault_of_state},
-    {"motion", fault_of_motion},   {"shape", fault_of_shape}, {"aspect", fault_of_number},
-    {"law", fault_of_law},         {"C", fault_of_number},    {"Ca", fault_of_number},
-    {"V", fault_of_number},        {"Re", fault_of_number},   {"E_b", fault_of_number},
-    {"bending", fault_of_bending}, {"c0", fault_of_c0},       {"fluid", fault_of_fluid},
+    {"limit", fault_of_limit},       {"after", anything},       {"state", fault_of_state},
+    {"motion", fault_of_motion},     {"shape", fault_of_shape}, {"aspect", fault_of_number},
+    {"law", fault_of_law},           {"C", fault_of_number},    {"Ca", fault_of_number},
+    {"V", fault_of_number},          {"Re", fault_of_number},   {"E_b", fault_of_number},
+    {"bending", fault_of_bending},   {"c0", fault_of_c0},       {"fluid", fault_of_fluid},
     {"fidelity", fault_of_fidelity},
 };
 

@@ -17,7 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kLinger{250};  // without a byte from a client that was answered
-constexpr milliseconds kLongestEnd{1000};
+constexpr milliseconds kMaxEnd{1000};
 
 /// Half of the descriptors are left to the database and to the runs.
 std::size_t connections_allowed(std::size_t wanted) {
@@ -111,7 +111,7 @@ void SocketLoop::run() {
 bool SocketLoop::has_ended() {
   const std::lock_guard lock(mutex_);
   if (!is_ending_) return false;
-  if (end_ == Steady::time_point::max()) end_ = Steady::now() + kLongestEnd;
+  if (end_ == Steady::time_point::max()) end_ = Steady::now() + kMaxEnd;
   return to_finish_.empty() && (watched_.empty() || Steady::now() > end_);
 }
 
@@ -147,7 +147,7 @@ void SocketLoop::take_messages() {
   const bool stops = is_stopped_ && !has_stopped_;
   lock.unlock();
   for (const int socket : adopted)
-    watch(std::make_unique<Connection>(socket), Phase::receiving, Steady::now() + kLongestReceive);
+    watch(std::make_unique<Connection>(socket), Phase::receiving, Steady::now() + kMaxReceive);
   for (auto& connection : to_finish) {
     const bool is_sent = connection->unsent() == 0;
     if (is_sent) connection->end_sending();
@@ -190,7 +190,7 @@ void SocketLoop::accept_all() {
   while (!is_full() || make_room()) {
     const int socket = accept4(listening_, nullptr, nullptr, SOCK_CLOEXEC);
     if (socket >= 0) {
-      watch(std::make_unique<Connection>(socket), Phase::receiving, Steady::now() + kLongestReceive);
+      watch(std::make_unique<Connection>(socket), Phase::receiving, Steady::now() + kMaxReceive);
     } else if (errno == EMFILE || errno == ENFILE) {
       if (!make_room()) return std::this_thread::sleep_for(milliseconds(10));
     } else if (errno != EINTR && errno != ECONNABORTED) {
@@ -244,7 +244,7 @@ void SocketLoop::linger(Place place) {
   const Connection& connection = *place->second.connection;
   const auto now = Steady::now();
   if (!place->second.connection->absorb()) return void(take(place));
-  if (now < connection.accepted() + 2 * kLongestReceive) place->second.until = now + kLinger;
+  if (now < connection.accepted() + 2 * kMaxReceive) place->second.until = now + kLinger;
 }
 
 void SocketLoop::end_late() {

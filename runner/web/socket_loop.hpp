@@ -17,7 +17,7 @@ namespace capstan {
 class SocketLoop {
  public:
   /// A request that is not complete by then is refused.
-  static constexpr std::chrono::seconds kLongestReceive{5};
+  static constexpr std::chrono::seconds kMaxReceive{5};
   /// Beyond, the client with the most connections loses the oldest of those whose request is incomplete.
   static constexpr std::size_t kMaxConnections = 1024;
   static constexpr std::size_t kMaxBytes = 64 << 20;  ///< of requests and answers that are under way

@@ -59,8 +59,8 @@ std::optional<int> replaceable_cases(Service& service, const std::string& id) {
 /// 201 for a new study, 200 for one that is known; nothing is queued unless everything is valid. `resumed`
 /// says that the study was paused until now.
 Response post_study(Service& service, const Request& request, const std::string&) {
-  constexpr std::size_t kLongestKey = 200;
-  if (request.idempotency_key.size() > kLongestKey)
+  constexpr std::size_t kMaxKey = 200;
+  if (request.idempotency_key.size() > kMaxKey)
     return problem(400, "Invalid key", "an Idempotency-Key has at most 200 characters");
   const ParsedStudy parsed = parse_study_text(request.body);
   if (!parsed.value) {
@@ -111,7 +111,8 @@ Response get_phase_diagram(Service& service, const Request& request, const std::
   const Readers::Reader database = service.reader();
   const auto study = find_study(*database, id);
   if (!study) return no_such_study(id);
-  if ((*study)["axes"].empty()) return problem(404, "Not found", "the study has no axis to draw a phase diagram over");
+  if ((*study)["axes"].empty())
+    return problem(404, "Not found", "the study has no axis to draw a phase diagram over");
   DiagramRequest wanted{query_value(request, "x"), query_value(request, "y"), {}};
   for (const auto& [key, value] : request.query)
     if (key == "at") wanted.at.push_back(value);
@@ -155,11 +156,11 @@ Response retry_study(Service& service, const Request& request, const std::string
 }
 
 Response set_priority(Service& service, const Request& request, const std::string& id) {
-  constexpr int kMost = 100;
+  constexpr int kMax = 100;
   const ParsedJson parsed = parse_json(request.body);
   const bool is_object = parsed.value && parsed.value->is_object() && parsed.value->contains("priority");
   const nlohmann::json given = is_object ? (*parsed.value)["priority"] : nlohmann::json();
-  if (!given.is_number_integer() || given < -kMost || given > kMost)
+  if (!given.is_number_integer() || given < -kMax || given > kMax)
     return problem(422, "Invalid priority", "send {\"priority\": N}",
                    {{"/priority", "must be a whole number from -100 to 100"}});
   return changed_study(service, id, service.set_priority(id, given));

@@ -22,7 +22,7 @@ std::optional<std::string> StudyEvents::next(Database& database, Time now) {
   if (is_over_) return std::nullopt;
   const auto study = find_study(database, study_id_);
   if (!study) return std::nullopt;
-  is_over_ = has_ended(*study) || now - begin_ >= kLongest;
+  is_over_ = has_ended(*study) || now - begin_ >= kMax;
   const std::string data = study->dump();
   const std::string id = sha256_hex(data).substr(0, 16);
   std::string text = is_over_ && !has_ended(*study) ? kComeAgain : "";

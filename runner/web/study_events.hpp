@@ -13,7 +13,7 @@ namespace capstan {
 class StudyEvents {
  public:
   /// Then the client comes again, and the thread was free for another.
-  static constexpr std::chrono::seconds kLongest{60};
+  static constexpr std::chrono::seconds kMax{60};
 
   StudyEvents(std::string study_id, std::string last_event_id, Time begin)
       : study_id_(std::move(study_id)), last_id_(std::move(last_event_id)), begin_(begin) {}

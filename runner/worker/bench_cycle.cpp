@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "runner/worker/timed_run.hpp"
 #include "runner/render/bench_report.hpp"
+#include "runner/worker/timed_run.hpp"
 #include "solver/baseline/best_time.hpp"
 #include "solver/fluid/quasisteady/quasisteady_flow.hpp"
 #include "solver/membrane/membrane.hpp"
@@ -39,11 +39,11 @@ nlohmann::ordered_json cycle_row(const Scene& scene, const std::string& name, bo
                                  bool is_quarter, double V) {
   const CompositeOptions options{.Re = 0, .V = V, .tolerance = 1e-6, .is_uniform = is_uniform};
   Points exact, u;
-  CompositeLbm<float> flow(scene.sphere.mesh, scene.orbits(is_quarter), options);
+  QuasisteadyFlow<float> flow(scene.sphere.mesh, scene.orbits(is_quarter), options);
   flow.solve(0, scene.positions, scene.forces, exact);
   CompositeOptions one_cycle = options;
   one_cycle.tolerance = 1e300;
-  CompositeLbm<float> again(scene.sphere.mesh, scene.orbits(is_quarter), one_cycle);
+  QuasisteadyFlow<float> again(scene.sphere.mesh, scene.orbits(is_quarter), one_cycle);
   u = Points::Zero(3, exact.cols());
   u.row(0) = scene.positions.row(1);
   std::vector<double> errors = {(u - exact).norm()};
@@ -75,7 +75,7 @@ void print_step(const Scene& scene, BenchReport& report) {
   const GridGeometry grid{Vec3::Constant(0.05), 0.1};
   SymmetricBoundary boundary(grid, scene.orbits(true));
   ViscosityField viscosity(grid, scene.sphere.mesh, scene.orbits(true));
-  CompositeLbm<float> flow(scene.sphere.mesh, scene.orbits(true), {.V = 4});
+  QuasisteadyFlow<float> flow(scene.sphere.mesh, scene.orbits(true), {.V = 4});
   Points forces, u;
   flow.solve(0, scene.positions, scene.forces, u);
   boundary.place(scene.positions);

@@ -20,7 +20,7 @@ nlohmann::ordered_json measured_row(Kernel kernel, Number number, const Extent& 
   omp_set_num_threads(threads);
   const KernelSpeed speed =
       number == Number::float32 ? kernel_speed<float>(kernel, cells) : kernel_speed<double>(kernel, cells);
-  return {{"method", word(kernel)},
+  return {{"method", to_string(kernel)},
           {"number", number == Number::float32 ? "float" : "double"},
           {"cells",
            std::to_string(cells.nx) + " x " + std::to_string(cells.ny) + " x " + std::to_string(cells.nz)},

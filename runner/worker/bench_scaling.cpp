@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "runner/worker/timed_run.hpp"
 #include "runner/render/bench_report.hpp"
+#include "runner/worker/timed_run.hpp"
 
 namespace capstan {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "runner/worker/timed_run.hpp"
 #include "runner/render/bench_report.hpp"
+#include "runner/worker/timed_run.hpp"
 #include "solver/baseline/kernel_speed.hpp"
 #include "solver/case/parse.hpp"
 #include "solver/case/units.hpp"
@@ -61,7 +61,7 @@ void print_red_cells(const Standard& paper, const Standard& best, BenchReport& r
     const TimedRun run = timed_run(red_cell(Ca, kDx, 2562, 0.02, 30));
     rows.push_back({{"Ca", Ca},
                     {"seconds", to_tenths(run.seconds)},
-                    {"motion", word(run.verdict.motion)},
+                    {"motion", to_string(run.verdict.motion)},
                     {"standard, s", whole(paper.seconds(30))},
                     {"speed-up", whole(paper.seconds(30) / run.seconds)},
                     {"the paper's", kPapers[row++]},

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "runner/cli/input_file.hpp"
+#include "runner/study/input_file.hpp"
 
 namespace capstan {
 ParsedCase read_case(const std::filesystem::path& path) {

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <numbers>
 
-#include "runner/worker/timed_run.hpp"
 #include "runner/worker/case_file.hpp"
+#include "runner/worker/timed_run.hpp"
 #include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
@@ -22,7 +22,8 @@ struct Run {
 std::optional<Run> run(const Case& c) {
   const TimedRun timed = timed_run(c);
   if (timed.outcome.stop == Stop::reached_end) return Run{timed.history.back(), timed.wall_seconds};
-  std::cerr << word(c.fluid) << ": " << word(timed.outcome.stop) << ": " << timed.outcome.message << "\n";
+  std::cerr << to_string(c.fluid) << ": " << to_string(timed.outcome.stop) << ": " << timed.outcome.message
+            << "\n";
   return std::nullopt;
 }
 
@@ -31,7 +32,7 @@ struct Grid {
 };
 /// The box is doubled twice at one spacing, then the spacing is halved twice in the largest box.
 constexpr std::array<Grid, 5> kGrids = {{{0.2, 6.4}, {0.2, 12.8}, {0.2, 25.6}, {0.1, 25.6}, {0.05, 25.6}}};
-constexpr double kLargestStep = 0.02;  // so that the step in time is no part of the difference
+constexpr double kMaxStep = 0.02;  // so that the step in time is no part of the difference
 
 /// The same case, of whatever fluid it is, in this one. \param Re of the fluid, if it has any
 Case in_fluid(const Case& c, const char* fluid, double Re, const nlohmann::json& fidelity) {
@@ -48,7 +49,7 @@ Case on_lattice(const Case& c, const Grid& grid) {
   constexpr double kSmallRe = 0.05;  // for a case without inertia, which a lattice cannot do without
   Case on_grid = in_fluid(c, "quasisteady", c.Re > 0 ? c.Re : kSmallRe,
                           {{"nodes", c.fidelity.nodes}, {"dx", grid.dx}, {"box", grid.box}});
-  on_grid.fidelity.kdt = std::min(on_grid.fidelity.kdt, kLargestStep);
+  on_grid.fidelity.kdt = std::min(on_grid.fidelity.kdt, kMaxStep);
   return on_grid;
 }
 
@@ -84,7 +85,7 @@ nlohmann::ordered_json row_of(const char* fluid, const Grid* grid, const Run& ru
 
 void print_head(const std::filesystem::path& file, const Case& c) {
   std::printf("\n%s: %s, Ca = %g, V = %g, at kt = %g, %d nodes\n\n", file.stem().c_str(),
-              word(c.shape).data(), c.Ca, c.V, c.until.kt, c.fidelity.nodes);
+              to_string(c.shape).data(), c.Ca, c.V, c.until.kt, c.fidelity.nodes);
   std::printf("| fluid       |   dx |  box |   D_xy |    differs | θ/π      | differs | seconds |\n");
   std::printf("|---|---|---|---|---|---|---|---|\n");
 }

@@ -12,14 +12,14 @@ namespace capstan {
 namespace {
 
 constexpr double kProbeSeconds = 2;  // of all probes together
-constexpr std::size_t kMostProbes = 8;
+constexpr std::size_t kMaxProbes = 8;
 
 /// Cases of one kind differ in parameters of the physics alone.
 std::string kind_of(const Case& c) {
   const nlohmann::ordered_json json = to_json(c);
   nlohmann::json fidelity = json["fidelity"];
   fidelity.erase("kdt");
-  return json["fluid"].dump() + fidelity.dump() + (c.has_viscosity_contrast() ? "V" : "") +
+  return json["fluid"].dump() + fidelity.dump() + (c.has_viscosity_ratio() ? "V" : "") +
          (c.has_bending() ? "E" : "");
 }
 
@@ -42,7 +42,7 @@ Probe probe(const Case& c, double seconds) {
 
 /// So many of the kind as there is time for, evenly spread.
 std::vector<Probe> probes_of(const std::vector<const Case*>& kind, std::size_t kinds) {
-  const std::size_t count = std::min(kind.size(), std::max<std::size_t>(1, kMostProbes / kinds));
+  const std::size_t count = std::min(kind.size(), std::max<std::size_t>(1, kMaxProbes / kinds));
   std::vector<Probe> probes;
   for (std::size_t i = 0; i < count; ++i)
     probes.push_back(

@@ -8,18 +8,19 @@
 #include <numeric>
 #include <set>
 
-#include "runner/worker/cost_model.hpp"
-#include "solver/run_directory/exit_code.hpp"
 #include "runner/render/bench_report.hpp"
 #include "runner/render/table.hpp"
+#include "runner/study/shown_value.hpp"
+#include "runner/worker/cost_model.hpp"
+#include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 namespace {
 
 std::string duration(double seconds) {
-  if (seconds < 90) return plain(std::round(10 * seconds) / 10) + " s";
-  if (seconds < 90 * 60) return plain(std::round(seconds / 6) / 10) + " min";
-  return plain(std::round(seconds / 360) / 10) + " h";
+  if (seconds < 90) return shown_value(std::round(10 * seconds) / 10) + " s";
+  if (seconds < 90 * 60) return shown_value(std::round(seconds / 6) / 10) + " min";
+  return shown_value(std::round(seconds / 360) / 10) + " h";
 }
 
 /// The axes' values as they were asked for at the first point of each case, and what it takes.
@@ -30,7 +31,7 @@ nlohmann::ordered_json rows_of(const Study& study, const std::vector<double>& se
     const nlohmann::json asked = study.asked_at(static_cast<std::size_t>(point));
     nlohmann::ordered_json& row = rows.emplace_back(nlohmann::ordered_json::object());
     for (const Axis& axis : study.axes) row[axis.parameter()] = asked[axis.parameter()];
-    row["fluid"] = word(study.cases[number].fluid);
+    row["fluid"] = to_string(study.cases[number].fluid);
     row["seconds"] = std::round(100 * seconds[number]) / 100;
   }
   return rows;

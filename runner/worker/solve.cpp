@@ -10,13 +10,13 @@
 #include <iostream>
 
 #include "runner/worker/case_file.hpp"
-#include "solver/run_directory/directory_lock.hpp"
-#include "solver/run_directory/exit_code.hpp"
-#include "runner/worker/stop_signals.hpp"
 #include "solver/case/case_warnings.hpp"
 #include "solver/case/content_id.hpp"
 #include "solver/output/run_recorder.hpp"
+#include "solver/run_directory/directory_lock.hpp"
 #include "solver/run_directory/durable_file.hpp"
+#include "solver/run_directory/exit_code.hpp"
+#include "solver/run_directory/stop_signals.hpp"
 
 namespace capstan {
 namespace {
@@ -116,10 +116,10 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
   Simulation simulation(*parsed.value);
   worker.resume(simulation, [](const std::string& line) { std::cerr << line << "\n"; });
   const Outcome outcome = simulation.run(worker);
-  std::cerr << (isatty(STDERR_FILENO) ? "\n" : "") << word(outcome.stop)
+  std::cerr << (isatty(STDERR_FILENO) ? "\n" : "") << to_string(outcome.stop)
             << (outcome.message.empty() ? "" : ": " + outcome.message) << "\n";
   if (const Verdict label = simulation.verdict(); has_answer(outcome.stop))
-    std::cerr << word(label.motion) << ": " << label.explanation << "\n";
+    std::cerr << to_string(label.motion) << ": " << label.explanation << "\n";
   worker.finish(simulation, outcome);
   return exit_code_of(outcome);
 }

@@ -13,14 +13,14 @@ namespace capstan {
 template <class... Work>
 std::array<double, sizeof...(Work)> best_times(double span, Work... work) {
   using Clock = std::chrono::steady_clock;
-  constexpr int kFewest = 5;
+  constexpr int kMin = 5;
   const auto seconds_since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   std::array<double, sizeof...(Work)> best;
   best.fill(std::numeric_limits<double>::infinity());
   const auto begin = Clock::now();
-  for (int turn = 0; turn < kFewest || seconds_since(begin) < span; ++turn) {
+  for (int turn = 0; turn < kMin || seconds_since(begin) < span; ++turn) {
     std::size_t which = 0;
     const auto take_turn = [&](auto& one) {
       const auto start = Clock::now();

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "solver/grid/huge_pages.hpp"
 #include "solver/fluid/lbm/population_field.hpp"
+#include "solver/grid/huge_pages.hpp"
 
 namespace capstan {
 

@@ -85,7 +85,7 @@ KernelSpeed kernel_speed(Kernel kernel, const Extent& cells) {
 template KernelSpeed kernel_speed<float>(Kernel, const Extent&);
 template KernelSpeed kernel_speed<double>(Kernel, const Extent&);
 
-std::string_view word(Kernel kernel) {
+std::string_view to_string(Kernel kernel) {
   switch (kernel) {
     case Kernel::nineteen_populations:
       return "19 populations";

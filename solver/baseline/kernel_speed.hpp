@@ -13,7 +13,7 @@ enum class Kernel {
   composite,             ///< one smoothing sweep of the quasi-steady scheme, ghosts included
   composite_stress,      ///< the same where the viscosity differs
 };
-std::string_view word(Kernel kernel);
+std::string_view to_string(Kernel kernel);
 
 struct KernelSpeed {
   double updates;    ///< lattice updates a second

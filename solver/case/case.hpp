@@ -64,7 +64,7 @@ struct Case {
   Outputs outputs;
 
   bool has_bending() const { return E_b > 0; }
-  bool has_viscosity_contrast() const { return V != 1; }
+  bool has_viscosity_ratio() const { return V != 1; }
   /// An equation to a tolerance at every step; boundary integrals at V = 1 give the flow directly.
   bool solves_for_flow() const { return fluid == Fluid::quasisteady || (fluid == Fluid::stokes && V != 1); }
   bool has_grid() const { return fluid != Fluid::stokes; }
@@ -82,9 +82,9 @@ struct Case {
 nlohmann::ordered_json to_json(const Case& c);
 
 /// The word a case file uses for a value, e.g. "neo-hookean".
-std::string_view word(Shape shape);
-std::string_view word(Law law);
-std::string_view word(BendingModel model);
-std::string_view word(Fluid fluid);
+std::string_view to_string(Shape shape);
+std::string_view to_string(Law law);
+std::string_view to_string(BendingModel model);
+std::string_view to_string(Fluid fluid);
 
 }  // namespace capstan

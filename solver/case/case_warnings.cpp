@@ -26,22 +26,22 @@ double mean_edge(int nodes) {
 /// Measured with 162 and 642 nodes at kt = 3: edges of 1.5 dx are right, with edges of 3 dx the flow passes
 /// between the vertices, the volume leaks by 0.6 to 3.6 % and D is farther off than with twice the spacing.
 std::string lattice_finer_than_mesh(const Case& c) {
-  constexpr double kLongestEdge = 2;  // dx
+  constexpr double kMaxEdge = 2;  // dx
   const double edge = mean_edge(c.fidelity.nodes);
-  if (!c.has_grid() || edge <= kLongestEdge * c.fidelity.dx) return "";
+  if (!c.has_grid() || edge <= kMaxEdge * c.fidelity.dx) return "";
   return "the lattice is finer than the membrane's mesh: dx = " + rounded(c.fidelity.dx) +
          ", but the edges of " + std::to_string(c.fidelity.nodes) + " nodes are " + rounded(edge) +
          " long, so that fluid passes between the vertices; use more nodes, or dx of at least " +
-         rounded(edge / kLongestEdge);
+         rounded(edge / kMaxEdge);
 }
 
 /// The viscosity's jump is smoothed over some cells. Measured: D of spheres (Ca = 0.05 and 0.2, kt = 6) is
-/// too large by about 0.09 V dx where V > 1: 8 % at V = 5, 18 % at 10, 63 % at 30 and 150 to 200 % at 100 with
-/// dx = 0.2, about half with dx = 0.1. Below V = 1 the error does not depend on V.
+/// too large by about 0.09 V dx where V > 1: 8 % at V = 5, 18 % at 10, 63 % at 30 and 150 to 200 % at 100
+/// with dx = 0.2, about half with dx = 0.1. Below V = 1 the error does not depend on V.
 std::string viscosity_on_coarse_lattice(const Case& c) {
-  constexpr double kErrorOfD = 0.09, kLargestError = 0.1, kFinest = 0.02;
-  const double error = kErrorOfD * c.V * c.fidelity.dx, fine_enough = kLargestError / (kErrorOfD * c.V);
-  if (!c.has_grid() || c.V <= 1 || error < kLargestError) return "";
+  constexpr double kErrorOfD = 0.09, kMaxError = 0.1, kFinest = 0.02;
+  const double error = kErrorOfD * c.V * c.fidelity.dx, fine_enough = kMaxError / (kErrorOfD * c.V);
+  if (!c.has_grid() || c.V <= 1 || error < kMaxError) return "";
   return "V = " + rounded(c.V) + " on a lattice of dx = " + rounded(c.fidelity.dx) +
          ": the jump of the viscosity is smoothed over some cells, and the deformation of round capsules "
          "comes out about " +

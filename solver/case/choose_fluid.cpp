@@ -31,9 +31,9 @@ FluidChoice choose_fluid(double Re, const nlohmann::json& fidelity) {
   if (!setting.empty())
     return {Fluid::transient,
             setting + " is a setting of a lattice; at " + at + " its flow has to follow in time"};
-  if (Re > kLargestStokesRe)
+  if (Re > kMaxStokesRe)
     return {Fluid::transient,
-            at + " is above " + shown(kLargestStokesRe) + ", so the inertia of the fluid matters"};
+            at + " is above " + shown(kMaxStokesRe) + ", so the inertia of the fluid matters"};
   return {Fluid::stokes, "neither inertia (" + at +
                              ") nor walls nor a setting of a lattice were asked for; "
                              "boundary integrals are then more accurate at the same cost"};

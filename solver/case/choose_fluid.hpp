@@ -11,7 +11,7 @@
 namespace capstan {
 
 /// Up to here inertia is small enough to be left out: Re = 0.05 changes the deformation of a sphere by 0.5 %.
-inline constexpr double kLargestStokesRe = 0.1;
+inline constexpr double kMaxStokesRe = 0.1;
 
 struct FluidChoice {
   Fluid fluid;

@@ -8,9 +8,12 @@ namespace capstan {
 const std::vector<FidelityPreset>& fidelity_presets() {
   static const std::vector<FidelityPreset> presets = {
       {"fast", "classes and trends in under a minute a case", {.dx = 0.2, .nodes = 642, .tolerance = 1e-3}},
-      {"standard", "the paper's resolution with converged flow", {.dx = 0.1, .nodes = 2562, .tolerance = 1e-3}},
+      {"standard",
+       "the paper's resolution with converged flow",
+       {.dx = 0.1, .nodes = 2562, .tolerance = 1e-3}},
       {"fine", "half the paper's spacing", {.dx = 0.05, .nodes = 10242, .tolerance = 1e-3}},
-      {"paper", "the paper's resolution and its own multigrid settings",
+      {"paper",
+       "the paper's resolution and its own multigrid settings",
        {.dx = 0.1, .nodes = 2562, .tolerance = 1e-5, .scheme = Scheme::paper}},
   };
   return presets;
@@ -34,12 +37,14 @@ std::optional<int> icosphere_subdivisions(int nodes) {
   return std::nullopt;
 }
 
-std::string_view word(Scheme scheme) { return scheme == Scheme::tuned ? "tuned" : "paper"; }
+std::string_view to_string(Scheme scheme) { return scheme == Scheme::tuned ? "tuned" : "paper"; }
 
-std::string_view word(Stepper stepper) { return stepper == Stepper::adams_bashforth ? "ab2" : "rkc2"; }
+std::string_view to_string(Stepper stepper) { return stepper == Stepper::adams_bashforth ? "ab2" : "rkc2"; }
 
-std::string_view word(Symmetry symmetry) { return symmetry == Symmetry::automatic ? "auto" : "none"; }
+std::string_view to_string(Symmetry symmetry) { return symmetry == Symmetry::automatic ? "auto" : "none"; }
 
-std::string_view word(Precision precision) { return precision == Precision::single ? "float" : "double"; }
+std::string_view to_string(Precision precision) {
+  return precision == Precision::single ? "float" : "double";
+}
 
 }  // namespace capstan

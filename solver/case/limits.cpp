@@ -84,7 +84,7 @@ double least_box(const Case& c) {
 }
 
 /// Below this the velocities in lattice units are too small for the numbers that hold them.
-constexpr double kLeastReynolds = 1e-6;
+constexpr double kMinReynolds = 1e-6;
 
 void check_precision(const Case& c, Issues& issues) {
   const double least = flow_rounding(c);
@@ -99,28 +99,27 @@ void check_precision(const Case& c, Issues& issues) {
 /// = 0.2 keeps its volume where step times fastest decay is 4, and loses it at 10; the flow is stable with
 /// walls at 0.2, not at 0.26.
 void check_transient(const Case& c, Issues& issues) {
-  constexpr double kLeastStep = 1e-8, kLargestDecay = 6, kLargestWallSpeed = 0.22;
+  constexpr double kMinStep = 1e-8, kMaxDecay = 6, kMaxWallSpeed = 0.22;
   const LatticeUnits units = transient_units(c);
   const double decay = units.kdt * fastest_decay(c), wall_speed = 0.5 * c.fidelity.box * units.velocity_lu;
-  if (units.kdt < kLeastStep)
+  if (units.kdt < kMinStep)
     issues.push_back({"/Re", "makes a time step of " + rounded(units.kdt) + ", and times are resolved to " +
-                                 rounded(kLeastStep) +
-                                 " at best: raise Re or dx (the step is 0.04 Re dx^2)"});
-  if (wall_speed > kLargestWallSpeed)
+                                 rounded(kMinStep) + " at best: raise Re or dx (the step is 0.04 Re dx^2)"});
+  if (wall_speed > kMaxWallSpeed)
     issues.push_back({"/Re", "makes the walls move by " + rounded(wall_speed) +
                                  " cells a time step (0.02 Re dx box), and the lattice is stable to " +
-                                 rounded(kLargestWallSpeed) + ": lower Re, dx or box"});
-  if (decay > kLargestDecay)
+                                 rounded(kMaxWallSpeed) + ": lower Re, dx or box"});
+  if (decay > kMaxDecay)
     issues.push_back({"/Ca", "makes a membrane so stiff that its fastest motion decays " + rounded(decay) +
                                  " times in a step of the transient flow (0.04 Re dx^2), and " +
-                                 rounded(kLargestDecay) +
+                                 rounded(kMaxDecay) +
                                  " times are stable: raise Ca, lower E_b, C or Re, or take another fluid"});
 }
 
 void check_grid_fits(const Case& c, Issues& issues) {
-  if (c.Re < kLeastReynolds)
+  if (c.Re < kMinReynolds)
     issues.push_back({"/Re", "is " + rounded(c.Re) + ", and a lattice needs at least " +
-                                 rounded(kLeastReynolds) +
+                                 rounded(kMinReynolds) +
                                  ": raise it, or take the fluid stokes, which has no inertia"});
   if (c.fidelity.box < least_box(c))
     issues.push_back({"/fidelity/box", "is " + rounded(c.fidelity.box) +
@@ -138,7 +137,7 @@ double grid_bytes(const Case& c) {
   constexpr double kPaper = 19 * 8 * 2 + 8 + 19 * 8 * 4 / 7., kInPlace = 19 * 4;
   const double cells = uniform_cells(c);
   if (c.fluid == Fluid::transient)
-    return cells * kInPlace * (c.fidelity.precision == Precision::twofold ? 2 : 1);
+    return cells * kInPlace * (c.fidelity.precision == Precision::double_ ? 2 : 1);
   return c.fluid == Fluid::quasisteady && c.fidelity.scheme == Scheme::paper ? cells * kPaper : 0;
 }
 

@@ -8,7 +8,7 @@ namespace capstan {
 
 /// The least shear time kt of a run, a step of ab2, and between two records or shapes. Times are kept to
 /// 1e-9.
-inline constexpr double kLeastTime = 1e-6;
+inline constexpr double kMinTime = 1e-6;
 
 /// All limits that a case is beyond, each with what to change. Empty for a case that can be run.
 Issues limits_exceeded(const Case& c);

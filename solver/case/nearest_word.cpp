@@ -6,7 +6,7 @@
 namespace capstan {
 namespace {
 
-constexpr std::size_t kLongest = 40;  // characters; nobody mistypes a longer word for one of ours
+constexpr std::size_t kMax = 40;  // characters; nobody mistypes a longer word for one of ours
 
 /// In small letters, without '-', '_' and spaces.
 std::string simplified(std::string_view word) {
@@ -52,9 +52,9 @@ std::optional<std::size_t> errors_between(const std::string& typed, const std::s
 }  // namespace
 
 std::optional<std::string> nearest_word(std::string_view typed, const std::vector<std::string>& candidates) {
-  if (typed.empty() || typed.size() > kLongest) return std::nullopt;
+  if (typed.empty() || typed.size() > kMax) return std::nullopt;
   std::optional<std::string> nearest;
-  std::size_t fewest = kLongest;
+  std::size_t fewest = kMax;
   for (const std::string& candidate : candidates) {
     const auto errors = errors_between(simplified(typed), simplified(candidate));
     if (!errors || *errors >= fewest) continue;

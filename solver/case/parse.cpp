@@ -23,7 +23,8 @@ struct Range {
   const char* of = "";  ///< whose bounds they are, where that depends on another key
 };
 
-/// Takes keys out of one JSON object, collecting what is wrong with them; `finish` reports the keys left over.
+/// Takes keys out of one JSON object, collecting what is wrong with them; `finish` reports the keys left
+/// over.
 class ObjectReader {
  public:
   ObjectReader(const json& object, std::string pointer, Issues& issues)
@@ -31,7 +32,9 @@ class ObjectReader {
 
   bool has(const char* key) const { return object_.contains(key); }
 
-  void fault(const char* key, std::string message) { issues_.push_back({pointer_ + "/" + key, std::move(message)}); }
+  void fault(const char* key, std::string message) {
+    issues_.push_back({pointer_ + "/" + key, std::move(message)});
+  }
 
   const json* take(const char* key) {
     known_.insert(key);
@@ -46,8 +49,8 @@ class ObjectReader {
     const double given = found->get<double>();
     const bool too_low = range.low_is_open ? !(given > range.low) : !(given >= range.low);
     if (!std::isfinite(given) || too_low || given > range.high)
-      return fault(key, "is " + shown(given) + ", must be " + (range.low_is_open ? "> " : ">= ") + shown(range.low) +
-                            " and <= " + shown(range.high) + range.of);
+      return fault(key, "is " + shown(given) + ", must be " + (range.low_is_open ? "> " : ">= ") +
+                            shown(range.low) + " and <= " + shown(range.high) + range.of);
     value = given + 0.0;  // -0.0 is 0
   }
 
@@ -65,7 +68,8 @@ class ObjectReader {
   void boolean(const char* key, bool& value) {
     const json* found = take(key);
     if (!found) return;
-    if (!found->is_boolean()) return fault(key, std::string("must be true or false, is ") + found->type_name());
+    if (!found->is_boolean())
+      return fault(key, std::string("must be true or false, is ") + found->type_name());
     value = found->get<bool>();
   }
 
@@ -75,11 +79,11 @@ class ObjectReader {
     const json* found = take(key);
     if (!found) return;
     std::vector<std::string> words;
-    for (Enum option : choices) words.emplace_back(word(option));
+    for (Enum option : choices) words.emplace_back(to_string(option));
     if (!also.empty()) words.emplace_back(also);
     const std::string meant = is_one_of(key, *found, words);
     for (Enum option : choices)
-      if (meant == word(option)) value = option;
+      if (meant == to_string(option)) value = option;
   }
 
   /// The word, or a fault and the nearest of the words, if one is near.
@@ -88,8 +92,8 @@ class ObjectReader {
     if (std::find(words.begin(), words.end(), given) != words.end()) return given;
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-    fault(key, "must be one of: " + list + "; is " + found.dump(-1, ' ', false, json::error_handler_t::replace) +
-                   suggestion(given, words));
+    fault(key, "must be one of: " + list + "; is " +
+                   found.dump(-1, ' ', false, json::error_handler_t::replace) + suggestion(given, words));
     return nearest_word(given, words).value_or("");
   }
 
@@ -119,7 +123,8 @@ class ObjectReader {
   void finish() {
     for (const auto& [key, value] : object_.items())
       if (!known_.contains(key))
-        issues_.push_back({(json::json_pointer(pointer_) / key).to_string(), "unknown key" + suggestion(key, missing_keys())});
+        issues_.push_back({(json::json_pointer(pointer_) / key).to_string(),
+                           "unknown key" + suggestion(key, missing_keys())});
   }
 
  private:
@@ -139,7 +144,8 @@ class ObjectReader {
 void read_shape(ObjectReader& reader, Case& c) {
   reader.choice("shape", c.shape, std::array{Shape::sphere, Shape::oblate, Shape::prolate, Shape::biconcave});
   const bool spheroid = c.shape == Shape::oblate || c.shape == Shape::prolate;
-  reader.without_effect("aspect", spheroid || reader.is_faulty("shape"), "only oblate and prolate shapes have an aspect");
+  reader.without_effect("aspect", spheroid || reader.is_faulty("shape"),
+                        "only oblate and prolate shapes have an aspect");
   if (!spheroid) {
     reader.take("aspect");
   } else if (!reader.has("aspect")) {
@@ -157,7 +163,8 @@ void read_membrane(ObjectReader& reader, Case& c) {
   const bool law_is_known = !reader.is_faulty("law");
   reader.without_effect("C", c.law == Law::skalak || !law_is_known, "only the skalak law has the constant C");
   if (c.law == Law::skalak) {
-    if (!reader.has("C") && law_is_known) reader.fault("C", "is missing: Skalak's resistance to area dilation");
+    if (!reader.has("C") && law_is_known)
+      reader.fault("C", "is missing: Skalak's resistance to area dilation");
     reader.number("C", c.C, {0, 1000});
   }
   reader.take("C");
@@ -165,7 +172,8 @@ void read_membrane(ObjectReader& reader, Case& c) {
   reader.number("Ca", c.Ca, {1e-4, 100});
   reader.number("E_b", c.E_b, {0, 10});
   for (const char* key : {"bending", "c0"})
-    reader.without_effect(key, c.has_bending() || reader.is_faulty("E_b"), "E_b is 0, so there is no bending resistance");
+    reader.without_effect(key, c.has_bending() || reader.is_faulty("E_b"),
+                          "E_b is 0, so there is no bending resistance");
   reader.choice("bending", c.bending, std::array{BendingModel::variational, BendingModel::helfrich_literal});
   const json* c0 = reader.take("c0");
   if (c0 && c0->is_number()) {
@@ -186,14 +194,15 @@ void read_fluid(ObjectReader& reader, Case& c, Choices& choices) {
   const FluidChoice choice = choose_fluid(c.Re, fidelity ? *fidelity : json());
   c.fluid = choice.fluid;
   if (asked == "auto")
-    choices.push_back({"fluid", asked, word(c.fluid), choice.reason});
+    choices.push_back({"fluid", asked, to_string(c.fluid), choice.reason});
   else
     reader.choice("fluid", c.fluid, std::array{Fluid::quasisteady, Fluid::transient, Fluid::stokes}, "auto");
 }
 
 void leave_out_inertia(ObjectReader& reader, Case& c, Choices& choices) {
-  if (c.Re > kLargestStokesRe)
-    reader.fault("Re", "is " + shown(c.Re) + ", but the fluid \"stokes\" has no inertia: at most 0.1, or another fluid");
+  if (c.Re > kMaxStokesRe)
+    reader.fault("Re", "is " + shown(c.Re) +
+                           ", but the fluid \"stokes\" has no inertia: at most 0.1, or another fluid");
   if (c.Re > 0 && reader.has("Re")) choices.push_back({"Re", c.Re, 0, "boundary integrals have no inertia"});
   c.Re = 0;
 }
@@ -212,7 +221,7 @@ void read_flow(ObjectReader& reader, Case& c, Choices& choices) {
 void read_until(ObjectReader& reader, Until& until) {
   auto inner = reader.nested("until");
   if (!inner) return;
-  inner->number("kt", until.kt, {kLeastTime, 10000});
+  inner->number("kt", until.kt, {kMinTime, 10000});
   inner->boolean("classified", until.classified);
   inner->finish();
 }
@@ -220,10 +229,11 @@ void read_until(ObjectReader& reader, Until& until) {
 void read_outputs(ObjectReader& reader, Outputs& outputs) {
   auto inner = reader.nested("outputs");
   if (!inner) return;
-  inner->number("history_every", outputs.history_every, {kLeastTime, 1});
+  inner->number("history_every", outputs.history_every, {kMinTime, 1});
   inner->number("shapes_every", outputs.shapes_every, {0, 10000});
-  if (outputs.shapes_every > 0 && outputs.shapes_every < kLeastTime)
-    inner->fault("shapes_every", "is " + shown(outputs.shapes_every) + ", must be 0 (no shapes) or at least " + shown(kLeastTime));
+  if (outputs.shapes_every > 0 && outputs.shapes_every < kMinTime)
+    inner->fault("shapes_every", "is " + shown(outputs.shapes_every) +
+                                     ", must be 0 (no shapes) or at least " + shown(kMinTime));
   inner->integer("checkpoint_every", outputs.checkpoint_every, {0, 1000000});
   inner->finish();
 }
@@ -238,10 +248,12 @@ Fidelity preset_for(const Case& c, const FidelityPreset& preset) {
 }
 
 /// The preset's knobs, if `name` is one.
-void start_from_preset(ObjectReader& reader, const char* key, const json& name, const Case& c, Fidelity& fidelity) {
+void start_from_preset(ObjectReader& reader, const char* key, const json& name, const Case& c,
+                       Fidelity& fidelity) {
   std::vector<std::string> names;
   for (const FidelityPreset& preset : fidelity_presets()) names.emplace_back(preset.name);
-  if (const FidelityPreset* preset = find_preset(reader.is_one_of(key, name, names))) fidelity = preset_for(c, *preset);
+  if (const FidelityPreset* preset = find_preset(reader.is_one_of(key, name, names)))
+    fidelity = preset_for(c, *preset);
 }
 
 /// \param may_have_contrast  also where V is faulty
@@ -254,11 +266,13 @@ void read_knobs(ObjectReader& knobs, const Case& c, bool may_have_contrast, Fide
     knobs.fault("nodes", "must be 12, 42, 162, 642, 2562, 10242 or 40962 (a subdivided icosahedron)");
   knobs.choice("scheme", fidelity.scheme, std::array{Scheme::tuned, Scheme::paper});
   knobs.choice("symmetry", fidelity.symmetry, std::array{Symmetry::automatic, Symmetry::none});
-  knobs.choice("precision", fidelity.precision, std::array{Precision::single, Precision::twofold});
-  knobs.choice("stepper", fidelity.stepper, std::array{Stepper::adams_bashforth, Stepper::runge_kutta_chebyshev});
+  knobs.choice("precision", fidelity.precision, std::array{Precision::single, Precision::double_});
+  knobs.choice("stepper", fidelity.stepper,
+               std::array{Stepper::adams_bashforth, Stepper::runge_kutta_chebyshev});
   knobs.number("tolerance", fidelity.tolerance, {1e-12, 0.1});
   for (const char* key : {"scheme", "stepper", "tolerance", "kdt"})
-    knobs.without_effect(key, c.fluid != Fluid::transient, "the transient flow's time step is set by the lattice");
+    knobs.without_effect(key, c.fluid != Fluid::transient,
+                         "the transient flow's time step is set by the lattice");
   knobs.without_effect("tolerance", c.fluid != Fluid::stokes || may_have_contrast,
                        "at V = 1 boundary integrals give the flow without solving an equation");
   for (const char* key : {"dx", "box", "scheme"})
@@ -266,7 +280,8 @@ void read_knobs(ObjectReader& knobs, const Case& c, bool may_have_contrast, Fide
   knobs.without_effect("symmetry", c.can_use_symmetry(), "this flow is always solved for as a whole");
   knobs.without_effect("precision", c.has_composite_grid() || c.fluid == Fluid::transient,
                        "only the quasi-steady flow's tuned scheme and the transient flow have a choice");
-  knobs.without_effect("kdt", fidelity.stepper == Stepper::adams_bashforth, "rkc2 chooses its steps by their error");
+  knobs.without_effect("kdt", fidelity.stepper == Stepper::adams_bashforth,
+                       "rkc2 chooses its steps by their error");
 }
 
 /// \param knobs null where none were given
@@ -275,17 +290,19 @@ void choose_time_step(ObjectReader* knobs, Case& c) {
   const bool is_open = !knobs || (!knobs->has("stepper") && !knobs->has("kdt"));
   if (is_open && c.fluid == Fluid::quasisteady) fidelity.stepper = default_stepper(c);
   fidelity.kdt = fidelity.stepper == Stepper::adams_bashforth ? default_kdt(c) : 0;
-  if (knobs) knobs->number("kdt", fidelity.kdt, {kLeastTime, 1});
+  if (knobs) knobs->number("kdt", fidelity.kdt, {kMinTime, 1});
 }
 
 void check_grid(ObjectReader& reader, const Case& c) {
-  constexpr int kMostOfCoarsest = 24;
+  constexpr int kMaxCoarsestSweeps = 24;
   const Fidelity& fidelity = c.fidelity;
   const double cells = fidelity.box / fidelity.dx;
   if (std::abs(cells - std::round(cells)) > 1e-9 * cells || std::lround(cells) % 8 != 0)
-    reader.fault("fidelity", "box/dx is " + shown(cells) + ", must be a multiple of 8 so that the grid can be coarsened");
-  else if (c.has_composite_grid() && halved_cells(int(std::lround(cells))).back() > kMostOfCoarsest)
-    reader.fault("fidelity", "box/dx is " + shown(cells) + ", which cannot be halved until 24 or less are left; try " +
+    reader.fault("fidelity",
+                 "box/dx is " + shown(cells) + ", must be a multiple of 8 so that the grid can be coarsened");
+  else if (c.has_composite_grid() && halved_cells(int(std::lround(cells))).back() > kMaxCoarsestSweeps)
+    reader.fault("fidelity", "box/dx is " + shown(cells) +
+                                 ", which cannot be halved until 24 or less are left; try " +
                                  shown(std::exp2(std::round(std::log2(cells)))));
 }
 
@@ -296,7 +313,7 @@ void read_fidelity(ObjectReader& reader, Case& c) {
   std::optional<ObjectReader> knobs;
   if (given && given->is_object()) {
     knobs.emplace(*reader.nested("fidelity"));
-    read_knobs(*knobs, c, c.has_viscosity_contrast() || reader.is_faulty("V"), fidelity);
+    read_knobs(*knobs, c, c.has_viscosity_ratio() || reader.is_faulty("V"), fidelity);
   } else if (given) {
     start_from_preset(reader, "fidelity", *given, c, fidelity);
   }
@@ -359,8 +376,10 @@ bool nested_deeper_than(int limit, std::string_view text) {
   for (size_t i = 0; i < text.size(); ++i) {
     const char ch = text[i];
     if (in_string) {
-      if (ch == '\\') ++i;
-      else if (ch == '"') in_string = false;
+      if (ch == '\\')
+        ++i;
+      else if (ch == '"')
+        in_string = false;
     } else if (ch == '"') {
       in_string = true;
     } else if (ch == '[' || ch == '{') {
@@ -413,10 +432,10 @@ class DuplicateKeys : public nlohmann::json_sax<json> {
 }  // namespace
 
 ParsedJson parse_json(std::string_view text) {
-  constexpr int kDeepest = 32;  // a study needs four
+  constexpr int kMaxDepth = 32;  // a study needs four
   ParsedJson parsed;
-  if (nested_deeper_than(kDeepest, text)) {
-    parsed.issues.push_back({"", "nested deeper than " + std::to_string(kDeepest) + " levels"});
+  if (nested_deeper_than(kMaxDepth, text)) {
+    parsed.issues.push_back({"", "nested deeper than " + std::to_string(kMaxDepth) + " levels"});
     return parsed;
   }
   DuplicateKeys duplicates(parsed.issues);

@@ -12,7 +12,7 @@ namespace {
 /// A step on the composite of grids: its cells, and what does not depend on the spacing.
 double composite_step(const Case& c) {
   constexpr double kFixed = 0.43e-3, kCell = 1.75e-7;
-  return (kFixed + kCell * composite_cells(c)) * (c.has_viscosity_contrast() ? 1 : 0.55);
+  return (kFixed + kCell * composite_cells(c)) * (c.has_viscosity_ratio() ? 1 : 0.55);
 }
 
 /// The paper's scheme takes some thirty-five sweeps over the whole domain a step.
@@ -63,8 +63,8 @@ double cost_of(const Case& c) {
 }  // namespace
 
 double run_cost(const Case& c) {
-  constexpr double kLeast = 1e-4, kMost = 1e10;  // beyond, sums over a study would lose the others
-  return std::clamp(cost_of(c), kLeast, kMost);
+  constexpr double kMin = 1e-4, kMax = 1e10;  // beyond, sums over a study would lose the others
+  return std::clamp(cost_of(c), kMin, kMax);
 }
 
 }  // namespace capstan

@@ -37,10 +37,11 @@ Stiffness stiffness_of_membrane(const Case& c) {
 
 }  // namespace
 
-// A wave of length l on the membrane is driven by in-plane forces as 1/l^2 and by bending forces as 1/l^4, and the
-// fluid's resistance to it falls as l: so it decays as 1/l and 1/l^3. The shortest wave is a few spacings of the grid,
-// which filters all shorter ones; without a grid it is one of the mesh. The factors were measured by rkc2's power
-// iteration at Ca = 0.1 and kt = 0.1 with 642 nodes, on a grid of dx = 0.2 and without one.
+// A wave of length l on the membrane is driven by in-plane forces as 1/l^2 and by bending forces as 1/l^4,
+// and the fluid's resistance to it falls as l: so it decays as 1/l and 1/l^3. The shortest wave is a few
+// spacings of the grid, which filters all shorter ones; without a grid it is one of the mesh. The factors
+// were measured by rkc2's power iteration at Ca = 0.1 and kt = 0.1 with 642 nodes, on a grid of dx = 0.2 and
+// without one.
 // clang-format off
 //   sphere                          grid   none   others
 //     neo-Hookean                    2.7     34   none, 2562 nodes: 68
@@ -85,7 +86,7 @@ double accurate_kdt(const Case& c) {
 }  // namespace
 
 double default_kdt(const Case& c) {
-  const double kdt = std::max(std::min(accurate_kdt(c), stable_kdt(c)), kLeastTime);
+  const double kdt = std::max(std::min(accurate_kdt(c), stable_kdt(c)), kMinTime);
   return std::round(kdt * 1e9) / 1e9;  // 0.08, not 0.08000000000000002
 }
 

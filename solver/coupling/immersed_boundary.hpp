@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "solver/grid/cell_box.hpp"
 #include "solver/coupling/delta_kernel.hpp"
+#include "solver/grid/cell_box.hpp"
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {

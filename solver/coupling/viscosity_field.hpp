@@ -1,9 +1,9 @@
 #pragma once
 // The viscosity around the membrane (paper eqs. 40, 41): the inner one inside, the outer one outside,
 // smoothed over two cells on either side.
-#include "solver/grid/cell_box.hpp"
 #include "solver/coupling/immersed_boundary.hpp"
 #include "solver/coupling/nearest_vertices.hpp"
+#include "solver/grid/cell_box.hpp"
 #include "solver/mesh/in_plane_symmetry.hpp"
 #include "solver/mesh/surface_patch.hpp"
 

@@ -25,7 +25,8 @@ inline FlowReport lost_flow(std::string fault) {
 
 /// The faults of every model.
 inline constexpr const char* kLostMembrane = "the membrane's positions or forces are not finite";
-inline constexpr const char* kOutsideOfDomain = "the capsule has left the box: take a larger box, or the fluid stokes, which has none";
+inline constexpr const char* kOutsideOfDomain =
+    "the capsule has left the box: take a larger box, or the fluid stokes, which has none";
 
 /// Flow around (and inside) one capsule in the shear flow u = (y, 0, 0). Units: a = k = mu_a = 1.
 class FlowModel {

@@ -20,10 +20,11 @@ concept FasLevel = requires(L fine, L coarse) {
 };
 
 struct CycleShape {
-  int pre = 1;        ///< sweeps before the visit of the coarser level
-  int post = 1;       ///< sweeps after it
-  int visits = 2;     ///< of the coarser level: 1 is a V-cycle, 2 a W-cycle
-  int once = 1;       ///< so many levels, from the coarsest on, are visited once a visit of the finer one all the same
+  int pre = 1;     ///< sweeps before the visit of the coarser level
+  int post = 1;    ///< sweeps after it
+  int visits = 2;  ///< of the coarser level: 1 is a V-cycle, 2 a W-cycle
+  int once =
+      1;  ///< so many levels, from the coarsest on, are visited once a visit of the finer one all the same
   int coarsest = 10;  ///< sweeps on the coarsest level
 };
 

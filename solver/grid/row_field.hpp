@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "solver/grid/index_box.hpp"
 #include "solver/grid/huge_pages.hpp"
+#include "solver/grid/index_box.hpp"
 
 namespace capstan {
 

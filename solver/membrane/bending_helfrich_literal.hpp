@@ -5,9 +5,10 @@ namespace capstan {
 
 /// The paper's bending force, eq. 31, term by term. With kappa = -H and the outward normal n the fluid feels
 ///   P = -f_b A_vor,   f_b = E_B [ (2 kappa + c0) (2 kappa^2 - 2 K - c0 kappa) + 2 Delta kappa ] n.
-/// H and K come from quadric fits, Delta from the cotangent formula. It is not the gradient of any discrete energy;
-/// and with a c0 that varies it lacks Delta c0 and the tangential term: even the initial shape with c0 "initial" is
-/// not at rest. Kept because the paper prints it: which motion a capsule takes depends on the difference.
+/// H and K come from quadric fits, Delta from the cotangent formula. It is not the gradient of any discrete
+/// energy; and with a c0 that varies it lacks Delta c0 and the tangential term: even the initial shape with
+/// c0 "initial" is not at rest. Kept because the paper prints it: which motion a capsule takes depends on the
+/// difference.
 class HelfrichLiteralBending final : public Bending {
  public:
   /// \param spontaneous_curvature #V, c0, the preferred 2H   \param modulus E_B

@@ -6,8 +6,9 @@
 namespace capstan {
 namespace {
 
-/// F, 3 x 2: where the orthonormal axes of the undeformed plane go. The side (length, 0) becomes x1 - x0, the height
-/// over it x2 - x0 less the part along the side. Charrier's rotation into a common plane drops out of C = F^T F.
+/// F, 3 x 2: where the orthonormal axes of the undeformed plane go. The side (length, 0) becomes x1 - x0, the
+/// height over it x2 - x0 less the part along the side. Charrier's rotation into a common plane drops out of
+/// C = F^T F.
 struct DeformationGradient {
   Vec3 axis1, axis2;
 
@@ -37,7 +38,8 @@ struct CauchyGreen {
     radius = std::sqrt(d * d + e * e);
   }
 
-  /// The symmetric matrix with the same eigenvectors and the eigenvalues s1, s2, which are equal where C's are.
+  /// The symmetric matrix with the same eigenvectors and the eigenvalues s1, s2, which are equal where C's
+  /// are.
   SymmetricMatrix with_eigenvalues(double s1, double s2) const {
     const double middle = (s1 + s2) / 2;
     const double scale = radius > 0 ? (s1 - s2) / (2 * radius) : 0;

@@ -7,7 +7,8 @@
 
 namespace capstan {
 
-/// #F x 2: lambda1, lambda2 of every face, or what belongs to them. A stretch is deformed over undeformed length.
+/// #F x 2: lambda1, lambda2 of every face, or what belongs to them. A stretch is deformed over undeformed
+/// length.
 using Principal = Eigen::ArrayX2d;
 
 /// A hyperelastic, isotropic law per unit of the surface modulus E_s; which modulus that is, each law says.

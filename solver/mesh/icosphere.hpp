@@ -1,5 +1,6 @@
 #pragma once
-// A nearly uniform triangulation of the unit sphere: an icosahedron, its faces split into four again and again.
+// A nearly uniform triangulation of the unit sphere: an icosahedron, its faces split into four again and
+// again.
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {

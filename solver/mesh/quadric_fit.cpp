@@ -39,7 +39,8 @@ Coefficients fit(const std::vector<int>& ring, const Vec3& centre, const Eigen::
 
 }  // namespace
 
-// The graph z(x, y) with slopes p, q and second derivatives r, s, t at the vertex has, with its normal along +z,
+// The graph z(x, y) with slopes p, q and second derivatives r, s, t at the vertex has, with its normal along
+// +z,
 //   k1 + k2 = ((1 + q^2) r - 2 p q s + (1 + p^2) t) / w^3,   k1 k2 = (r t - s^2) / w^4,
 // w^2 = 1 + p^2 + q^2. It bends away from its normal where the sum is negative, where our H is positive.
 QuadricFit fit_quadrics(const TriangleMesh& mesh, const Points& positions) {

@@ -43,7 +43,8 @@ SurfaceQuality surface_quality(const TriangleMesh& mesh, const Points& positions
     folded += cosine < folded_cosine;
   }
   for (const auto& face : mesh.faces.colwise())
-    sharpest = std::max(sharpest, sharpest_corner(positions.col(face[0]), positions.col(face[1]), positions.col(face[2])));
+    sharpest = std::max(
+        sharpest, sharpest_corner(positions.col(face[0]), positions.col(face[1]), positions.col(face[2])));
   return {degrees_of_cosine(smallest_cosine), double(folded) / double(mesh.edges.size()),
           degrees_of_cosine(sharpest)};
 }

@@ -1,7 +1,7 @@
 #pragma once
-// How well flat triangles stand for a smooth membrane: a mesh resolves a surface whose neighbouring faces nearly share a
-// plane. A membrane under compression without bending stiffness crumples down to the size of the triangles; what it does
-// then is a property of the mesh.
+// How well flat triangles stand for a smooth membrane: a mesh resolves a surface whose neighbouring faces
+// nearly share a plane. A membrane under compression without bending stiffness crumples down to the size of
+// the triangles; what it does then is a property of the mesh.
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {

@@ -89,7 +89,7 @@ Evidence evidence_of(Motion motion, const Findings& found) {
 
 }  // namespace
 
-std::string_view word(Motion motion) {
+std::string_view to_string(Motion motion) {
   switch (motion) {
     case Motion::tumbling:
       return "tumbling";

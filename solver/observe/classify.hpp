@@ -31,7 +31,7 @@ enum class Motion {
   transition,  ///< between the two: rule 4
   undecided,   ///< less than one half-turn was seen, or the mesh could not represent the surface
 };
-std::string_view word(Motion motion);
+std::string_view to_string(Motion motion);
 
 /// Counted from kt = 3 on, when the start is forgotten. Half-turns are clockwise, as the shear turns. r,
 /// D_min and margin are of the part that was judged: under rule 1 the last half of a half-turn, under rule 2

@@ -21,7 +21,9 @@ class MotionTracker {
   Record observe(double kt, const Points& positions);
 
   /// The same at a time soon after the last observation, without becoming one.
-  Record look(double kt, const Points& positions) const { return MotionTracker(*this).observe(kt, positions); }
+  Record look(double kt, const Points& positions) const {
+    return MotionTracker(*this).observe(kt, positions);
+  }
 
   void save(StateArchive& archive) const;
   void load(const StateArchive& archive);

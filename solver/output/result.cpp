@@ -52,9 +52,9 @@ nlohmann::ordered_json result_json(const Case& c, const Choices& choices, const 
   result["format"] = 1;
   result["case"] = to_json(c);
   result["choices"] = to_json(choices);
-  result["stop"] = word(outcome.stop);
+  result["stop"] = to_string(outcome.stop);
   result["message"] = outcome.message;
-  result["motion"] = has_answer(outcome.stop) ? nlohmann::ordered_json(word(verdict.motion)) : nullptr;
+  result["motion"] = has_answer(outcome.stop) ? nlohmann::ordered_json(to_string(verdict.motion)) : nullptr;
   result["explanation"] = verdict.explanation;
   result["evidence"] = to_json(verdict.evidence);
   if (!simulation.history().empty())
@@ -65,8 +65,8 @@ nlohmann::ordered_json result_json(const Case& c, const Choices& choices, const 
                     {"peak_memory_mb", peak_memory_mb()}};
   nlohmann::ordered_json& trust = result["trust"];
   trust["numerics_version"] = kNumericsVersion;
-  trust["fluid"] = word(c.fluid);
-  trust["bending"] = c.has_bending() ? word(c.bending) : "none";
+  trust["fluid"] = to_string(c.fluid);
+  trust["bending"] = c.has_bending() ? to_string(c.bending) : "none";
   trust["volume_drift"] = statistics.volume_drift;
   trust["area_drift"] = statistics.area_drift;
   trust["worst_flow_error"] = statistics.worst_flow_error;

@@ -67,11 +67,11 @@ void RunRecorder::checkpoint(StateArchive state) {
 }
 
 bool RunRecorder::is_checkpoint_due(long steps) {
-  constexpr double kShortest = 0.2, kLongest = 30;  // s
+  constexpr double kMin = 0.2, kMax = 30;  // s
   const int every = case_.outputs.checkpoint_every;
   asked_ = seconds_here();
   if (every > 0 && steps % every == 0) return true;
-  return checkpoints_.is_due(asked_, std::clamp(seconds() / 10, kShortest, kLongest));
+  return checkpoints_.is_due(asked_, std::clamp(seconds() / 10, kMin, kMax));
 }
 
 void RunRecorder::finish(const Simulation& simulation, const Outcome& outcome) {

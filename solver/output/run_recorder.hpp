@@ -7,9 +7,9 @@
 
 #include "solver/case/case.hpp"
 #include "solver/case/choice.hpp"
-#include "solver/simulation/run_output.hpp"
 #include "solver/output/shape_writer.hpp"
 #include "solver/output/share_of_time.hpp"
+#include "solver/simulation/run_output.hpp"
 #include "solver/simulation/simulation.hpp"
 
 namespace capstan {

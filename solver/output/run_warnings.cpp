@@ -8,8 +8,8 @@ namespace capstan {
 namespace {
 
 std::string volume_drift(const Case& c, const RunStatistics& statistics) {
-  constexpr double kLargest = 0.01;
-  if (!(statistics.volume_drift > kLargest)) return "";
+  constexpr double kMax = 0.01;
+  if (!(statistics.volume_drift > kMax)) return "";
   std::ostringstream text;
   text.precision(2);
   text << "the volume drifted by " << 100 * statistics.volume_drift << " %, more than 1 %: use "
@@ -29,8 +29,8 @@ std::string folded_surface(const Case& c, const SurfaceWatch& surface) {
 }
 
 std::string collapsed_triangles(const SurfaceWatch& surface) {
-  constexpr double kSmallest = 5;  // degrees; drawn-out capsules at Ca = 1 come to 6
-  if (surface.worst().smallest_angle >= kSmallest) return "";
+  constexpr double kMin = 5;  // degrees; drawn-out capsules at Ca = 1 come to 6
+  if (surface.worst().smallest_angle >= kMin) return "";
   std::ostringstream text;
   text.precision(2);
   text << "triangles of the mesh have collapsed to angles of " << surface.worst().smallest_angle

@@ -8,11 +8,11 @@
 namespace capstan {
 namespace {
 
-constexpr double kDamping = 2. / 13;          // epsilon: all stable modes are damped, by a third at the most
-constexpr double kSafety = 1.2;               // the power iteration approaches the spectral radius from below
+constexpr double kDamping = 2. / 13;  // epsilon: all stable modes are damped, by a third at the most
+constexpr double kSafety = 1.2;       // the power iteration approaches the spectral radius from below
 constexpr int kStepsAnEstimate = 15;
-constexpr int kMostStages = 200;
-constexpr double kSmallestStep = 1e-6;
+constexpr int kMaxStages = 200;
+constexpr double kMinStep = 1e-6;
 
 double rms(const Points& vectors) { return vectors.norm() / std::sqrt(double(vectors.cols())); }
 
@@ -55,14 +55,14 @@ struct Coefficients {
     double mu, nu, mu_tilde, gamma_tilde;
     double time_before;  ///< c_(j-1), in steps
   };
-  double first;  ///< mu_tilde_1
+  double first;               ///< mu_tilde_1
   std::vector<Stage> stages;  ///< j = 2 .. s
 };
 
 }  // namespace
 
-StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
-                                        Points& positions) {
+StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, double kt_end,
+                                        const Points& velocities, Points& positions) {
   field_ = &field;
   report_ = {};
   if (step_ == 0) step_ = options_.largest_step / 10;
@@ -70,13 +70,14 @@ StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, d
   do {
     if (spectral_radius_ == 0 || steps_since_estimate_ >= kStepsAnEstimate)
       estimate_spectral_radius(kt, positions, velocities);
-    if (has_stiffened_beyond_use())
+    if (has_stiffened_too_much())
       return {.kt = kt,
               .flow = lost_flow("the membrane has become thousands of times as stiff as it was"),
               .refusals = refusals};
     const double step = next_step(kt_end - kt);
     Trial trial = attempt(kt, step, positions, velocities);
-    const double factor = std::isfinite(trial.error) ? std::clamp(0.8 / std::cbrt(trial.error), 0.1, 3.) : 0.1;
+    const double factor =
+        std::isfinite(trial.error) ? std::clamp(0.8 / std::cbrt(trial.error), 0.1, 3.) : 0.1;
     if (trial.error <= 1) {
       positions = std::move(trial.end);
       ++steps_since_estimate_;
@@ -87,14 +88,16 @@ StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, d
     ++refusals;
     step_ = step * factor;
     spectral_radius_ = 0;  // the likely culprit
-  } while (step_ >= kSmallestStep);
+  } while (step_ >= kMinStep);
   if (report_.converged) report_ = lost_flow("no time step is small enough for the membrane's motion");
   return {.kt = kt, .flow = report_, .refusals = refusals};
 }
 
-/// The longest that error and stability allow; the last two steps before the end are equal, lest one be a sliver.
+/// The longest that error and stability allow; the last two steps before the end are equal, lest one be a
+/// sliver.
 double RungeKuttaChebyshev::next_step(double left) const {
-  const double longest = std::min({step_, options_.largest_step, kMostStages * kMostStages / (1.6 * spectral_radius_)});
+  const double longest =
+      std::min({step_, options_.largest_step, kMaxStages * kMaxStages / (1.6 * spectral_radius_)});
   if (left <= longest * (1 + 1e-9)) return left;
   return std::min(longest, left / 2);
 }
@@ -103,29 +106,35 @@ RungeKuttaChebyshev::Trial RungeKuttaChebyshev::attempt(double kt, double step, 
                                                         const Points& velocities) {
   const Coefficients coefficients(stages_for(step, spectral_radius_));
   Trial trial;
-  Points before = start, now = start + coefficients.first * step * velocities, stage_velocities(3, start.cols());
+  Points before = start, now = start + coefficients.first * step * velocities,
+         stage_velocities(3, start.cols());
   for (const Coefficients::Stage& stage : coefficients.stages) {
-    if (!solve(kt + stage.time_before * step, now, stage_velocities).converged) return {.end = {}, .end_velocities = {}, .error = INFINITY};
+    if (!solve(kt + stage.time_before * step, now, stage_velocities).converged)
+      return {.end = {}, .end_velocities = {}, .error = INFINITY};
     Points after = (1 - stage.mu - stage.nu) * start + stage.mu * now + stage.nu * before +
                    step * (stage.mu_tilde * stage_velocities + stage.gamma_tilde * velocities);
     before = std::exchange(now, std::move(after));
   }
   trial.end = std::move(now);
   trial.end_velocities.resize(3, start.cols());
-  if (!solve(kt + step, trial.end, trial.end_velocities).converged) trial.error = INFINITY;
-  else trial.error = rms(0.8 * (start - trial.end) + 0.4 * step * (velocities + trial.end_velocities)) / options_.tolerance;
+  if (!solve(kt + step, trial.end, trial.end_velocities).converged)
+    trial.error = INFINITY;
+  else
+    trial.error = rms(0.8 * (start - trial.end) + 0.4 * step * (velocities + trial.end_velocities)) /
+                  options_.tolerance;
   return trial;
 }
 
 // Power iteration with the derivative by differences along the mode that was stiffest last time.
-void RungeKuttaChebyshev::estimate_spectral_radius(double kt, const Points& positions, const Points& velocities) {
+void RungeKuttaChebyshev::estimate_spectral_radius(double kt, const Points& positions,
+                                                   const Points& velocities) {
   constexpr double kDisplacement = 1e-4;  // rms / a: well above the flow's rounding, well below an edge
-  constexpr int kMostIterations = 50;
+  constexpr int kMaxIterations = 50;
   constexpr double kEnough = 0.02;  // relative change from one iteration to the next
   if (stiffest_.size() == 0) stiffest_ = velocities;
   double radius = 0;
   Points displaced_velocities(3, positions.cols());
-  for (int n = 0; n < kMostIterations; ++n) {
+  for (int n = 0; n < kMaxIterations; ++n) {
     stiffest_ *= kDisplacement / rms(stiffest_);
     if (!solve(kt, positions + stiffest_, displaced_velocities).converged) break;
     stiffest_ = displaced_velocities - velocities;
@@ -137,9 +146,9 @@ void RungeKuttaChebyshev::estimate_spectral_radius(double kt, const Points& posi
   steps_since_estimate_ = 0;
 }
 
-/// As a membrane does whose triangles collapse. At a radius of 1e6 a unit of kt takes thousands of flows; a membrane
-/// that is as stiff from its start is computed all the same.
-bool RungeKuttaChebyshev::has_stiffened_beyond_use() const {
+/// As a membrane does whose triangles collapse. At a radius of 1e6 a unit of kt takes thousands of flows; a
+/// membrane that is as stiff from its start is computed all the same.
+bool RungeKuttaChebyshev::has_stiffened_too_much() const {
   constexpr double kGrowth = 1e4, kRadius = 1e6;
   return spectral_radius_ > std::max(kRadius, kGrowth * first_radius_);
 }
@@ -160,7 +169,8 @@ void RungeKuttaChebyshev::save(StateArchive& archive) const {
 
 void RungeKuttaChebyshev::load(const StateArchive& archive) {
   const auto saved = archive.get("time_step/step");
-  step_ = saved[0], spectral_radius_ = saved[1], first_radius_ = saved[2], steps_since_estimate_ = int(saved[3]);
+  step_ = saved[0], spectral_radius_ = saved[1], first_radius_ = saved[2],
+  steps_since_estimate_ = int(saved[3]);
   stiffest_ = get_points(archive, "time_step/stiffest");
 }
 

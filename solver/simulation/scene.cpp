@@ -1,8 +1,8 @@
 // What a case's scene requires of the solver, and what it does not.
-#include "solver/fluid/quasisteady/quasisteady_flow.hpp"
 #include "solver/fluid/paper/paper_flow.hpp"
-#include "solver/fluid/transient/transient_flow.hpp"
+#include "solver/fluid/quasisteady/quasisteady_flow.hpp"
 #include "solver/fluid/stokes/stokes_flow.hpp"
+#include "solver/fluid/transient/transient_flow.hpp"
 #include "solver/mesh/geometry.hpp"
 #include "solver/simulation/runge_kutta_chebyshev.hpp"
 #include "solver/simulation/simulation.hpp"
@@ -17,12 +17,12 @@ Orbits symmetry_of(const Case& c, const Points& initial) {
 namespace {
 
 std::unique_ptr<FlowModel> make_quasisteady(const Case& c, const TriangleMesh& mesh, const Orbits& orbits) {
-  if (c.fidelity.scheme == Scheme::paper) return std::make_unique<PaperLbm>(c, mesh);
+  if (c.fidelity.scheme == Scheme::paper) return std::make_unique<PaperFlow>(c, mesh);
   const CompositeOptions options{
       .dx = c.fidelity.dx, .box = c.fidelity.box, .Re = c.Re, .V = c.V, .tolerance = c.fidelity.tolerance};
-  if (c.fidelity.precision == Precision::twofold)
-    return std::make_unique<CompositeLbm<double>>(mesh, orbits, options);
-  return std::make_unique<CompositeLbm<float>>(mesh, orbits, options);
+  if (c.fidelity.precision == Precision::double_)
+    return std::make_unique<QuasisteadyFlow<double>>(mesh, orbits, options);
+  return std::make_unique<QuasisteadyFlow<float>>(mesh, orbits, options);
 }
 
 }  // namespace
@@ -31,8 +31,8 @@ std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, co
                                      const Orbits& orbits) {
   switch (c.fluid) {
     case Fluid::transient:
-      if (c.fidelity.precision == Precision::twofold) return std::make_unique<TransientLbm<double>>(c, mesh);
-      return std::make_unique<TransientLbm<float>>(c, mesh);
+      if (c.fidelity.precision == Precision::double_) return std::make_unique<TransientFlow<double>>(c, mesh);
+      return std::make_unique<TransientFlow<float>>(c, mesh);
     case Fluid::stokes:
       return std::make_unique<StokesFlow>(mesh, orbits,
                                           StokesFlow::Options{.viscosity_ratio = c.V,
@@ -52,7 +52,7 @@ std::unique_ptr<TimeStepper> make_stepper(const Case& c, std::optional<double> i
 
 std::vector<std::string> left_out(const Case& c) {
   std::vector<std::string> parts;
-  if (!c.has_viscosity_contrast()) parts.push_back("viscosity field: V = 1");
+  if (!c.has_viscosity_ratio()) parts.push_back("viscosity field: V = 1");
   if (!c.has_bending()) parts.push_back("bending forces: E_b = 0");
   if (c.fluid == Fluid::quasisteady) parts.push_back("time derivative of the flow: quasi-steady");
   if (c.can_use_symmetry() && c.fidelity.symmetry == Symmetry::automatic)
@@ -64,7 +64,7 @@ std::vector<std::string> left_out(const Case& c) {
   return parts;
 }
 
-std::string_view word(Stop stop) {
+std::string_view to_string(Stop stop) {
   switch (stop) {
     case Stop::reached_end:
       return "reached_end";

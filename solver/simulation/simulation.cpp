@@ -91,22 +91,23 @@ Simulation::Simulation(const Case& c)
 }
 
 std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
-  if (!flow.converged) return stopped(std::isfinite(flow.error) ? Stop::not_converged : Stop::diverged, flow.fault);
+  if (!flow.converged)
+    return stopped(std::isfinite(flow.error) ? Stop::not_converged : Stop::diverged, flow.fault);
   if (!now_.positions.allFinite()) return stopped(Stop::diverged, "a position of the membrane is not finite");
-  constexpr double kLargestDrift = 0.1;  // the first symptom of a time step that is too large
+  constexpr double kMaxDrift = 0.1;  // the first symptom of a time step that is too large
   const double drift = volume(now_.positions, faces()) / initial_volume_ - 1;
-  if (!(std::abs(drift) < kLargestDrift)) return stopped(Stop::diverged, volume_drift_in_words(drift));
+  if (!(std::abs(drift) < kMaxDrift)) return stopped(Stop::diverged, volume_drift_in_words(drift));
   return std::nullopt;
 }
 
 /// On a surface that is lost a step that is refused shrinks without end, and the flow costs ever more. On any
 /// other a run whose steps are refused again and again within one unit of kt would take for ever.
 std::optional<Outcome> Simulation::refusal(const StepReport& step) {
-  constexpr int kMostOnLostSurface = 20;
-  constexpr double kMostRecent = 100;  // stiff membranes that reach their end have up to 40
+  constexpr int kMaxOnLostSurface = 20;
+  constexpr double kMaxRecent = 100;  // stiff membranes that reach their end have up to 40
   if (step.refusals > 0 && is_lost(surface_quality(sphere_.mesh, now_.positions))) refusals_ += step.refusals;
   recent_refusals_ = recent_refusals_ * std::exp(before_.kt - now_.kt) + step.refusals;
-  if (refusals_ <= kMostOnLostSurface && recent_refusals_ <= kMostRecent) return std::nullopt;
+  if (refusals_ <= kMaxOnLostSurface && recent_refusals_ <= kMaxRecent) return std::nullopt;
   return stopped(Stop::diverged, "the steps become ever shorter");
 }
 
@@ -114,7 +115,8 @@ std::optional<Outcome> Simulation::refusal(const StepReport& step) {
 Outcome Simulation::stopped(Stop stop, const std::string& what) const {
   std::ostringstream text;
   text << "at kt = " << now_.kt << ": " << what;
-  const std::string advice = remedy(case_, surface_quality(sphere_.mesh, now_.positions), stop == Stop::diverged);
+  const std::string advice =
+      remedy(case_, surface_quality(sphere_.mesh, now_.positions), stop == Stop::diverged);
   if (!advice.empty()) text << ". " << advice;
   return {stop, text.str()};
 }
@@ -185,8 +187,8 @@ void Simulation::observe() {
 
 Verdict Simulation::verdict() const { return judged_on(surface_, classify(samples_)); }
 
-/// Whether to end early is asked each time that kt has grown by a hundredth: an answer takes time that grows with
-/// the length of the run.
+/// Whether to end early is asked each time that kt has grown by a hundredth: an answer takes time that grows
+/// with the length of the run.
 std::optional<Outcome> Simulation::finished(RunOutput& output) {
   if (now_.kt >= case_.until.kt) return Outcome{Stop::reached_end};
   const auto hundredths = [](double kt) { return std::floor(std::log(kt) / 0.01); };

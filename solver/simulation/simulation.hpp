@@ -28,7 +28,7 @@ enum class Stop {
   not_converged,
   interrupted,
 };
-std::string_view word(Stop stop);
+std::string_view to_string(Stop stop);
 
 /// Whether the run came to a motion.
 constexpr bool has_answer(Stop stop) {
@@ -110,7 +110,7 @@ class Simulation {
   double initial_volume_, initial_area_;
   int iterations_since_record_ = 0;
   double last_flow_error_ = 0;
-  int refusals_ = 0;  ///< of steps, on a surface that is lost
+  int refusals_ = 0;            ///< of steps, on a surface that is lost
   double recent_refusals_ = 0;  ///< of steps, on any surface; each fades with exp(-kt)
   RunStatistics statistics_;
 };

@@ -46,9 +46,9 @@ bool is_allowed(const std::string& answer) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static Server server;
-  constexpr std::size_t kMost = 64 << 10;  // what fits into a socket before anyone reads
+  constexpr std::size_t kMax = 64 << 10;  // what fits into a socket before anyone reads
   int ends[2];
-  if (size > kMost || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) return 0;
+  if (size > kMax || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) return 0;
   if (send(ends[0], data, size, 0) != static_cast<ssize_t>(size)) std::abort();
   shutdown(ends[0], SHUT_WR);
   server.http.adopt(ends[1]);

@@ -23,7 +23,7 @@ std::vector<double> deformations(bool is_uniform) {
   const Icosphere sphere = make_icosphere(3);
   Points x = initial_positions(c, sphere), forces, u, before;
   const Membrane membrane(c, sphere.mesh, x, Orbits::of(x));
-  CompositeLbm<float> flow(sphere.mesh, Orbits::of(x), {.dx = 0.2, .V = c.V, .is_uniform = is_uniform});
+  QuasisteadyFlow<float> flow(sphere.mesh, Orbits::of(x), {.dx = 0.2, .V = c.V, .is_uniform = is_uniform});
   AdamsBashforth2 stepper(c.fidelity.kdt);
   std::vector<double> D;
   for (int step = 0; step < 40; ++step) {

@@ -33,7 +33,8 @@ double surface_strain(double V, double force, double dx) {
   const Points s = strained(x);
   const Points forces = force * s * vertex_areas(x, sphere.mesh.faces).asDiagonal();
   Points u(3, x.cols());
-  CompositeLbm<double> flow(sphere.mesh, Orbits::of(x), {.dx = dx, .box = 6.4, .Re = 0, .V = V, .tolerance = 1e-4});
+  QuasisteadyFlow<double> flow(sphere.mesh, Orbits::of(x),
+                               {.dx = dx, .box = 6.4, .Re = 0, .V = V, .tolerance = 1e-4});
   EXPECT_TRUE(flow.solve(0, x, forces, u).converged);
   return u.cwiseProduct(s).sum() / s.squaredNorm();
 }

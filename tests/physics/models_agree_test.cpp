@@ -43,8 +43,10 @@ TEST(ModelsAgree, DeformationsDifferByLessThanTwoPercentWithAViscosityContrast) 
 
 /// D_xy at kt = 1 of the transient flow, with the numbers' precision.
 double deformation(const std::string& precision) {
-  return sphere("4", "0.05", R"("fluid": "transient",
-    "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162, "precision": ")" + precision + "\"}")
+  return sphere("4", "0.05",
+                R"("fluid": "transient",
+    "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162, "precision": ")" +
+                    precision + "\"}")
       .back()
       .D_xy;
 }

@@ -31,7 +31,8 @@ TEST(StiffCapsules, RunAtTheDefaultsOfALattice) {
        {R"("E_b": 1, "Ca": 0.1, "until": {"kt": 0.25})",
         R"("shape": "prolate", "aspect": 4, "law": "skalak", "C": 10, "Ca": 0.1, "until": {"kt": 0.6})",
         R"("shape": "prolate", "aspect": 5, "law": "skalak", "C": 10, "Ca": 0.02, "until": {"kt": 0.12})"}) {
-    const FinishedRun done = run(std::string(R"({"fluid": "quasisteady", "fidelity": "fast", )") + keys + "}");
+    const FinishedRun done =
+        run(std::string(R"({"fluid": "quasisteady", "fidelity": "fast", )") + keys + "}");
     EXPECT_EQ(done.outcome.stop, Stop::reached_end) << keys << done.outcome.message;
     EXPECT_LT(done.statistics.volume_drift, 0.01) << keys;
   }

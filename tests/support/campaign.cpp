@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "runner/daemon/process_identity.hpp"
-#include "runner/store/database.hpp"
 #include "runner/doctor/database_checks.hpp"
+#include "runner/store/database.hpp"
 
 namespace capstan {
 namespace {

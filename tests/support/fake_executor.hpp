@@ -17,7 +17,7 @@ class FakeExecutor : public Executor {
     return run;
   }
 
-  std::optional<RunEnd> poll(const RunHandle& run) override {
+  std::optional<ProcessEnd> poll(const RunHandle& run) override {
     const auto end = ends_.find(run);
     return end == ends_.end() ? std::nullopt : std::optional(end->second);
   }
@@ -31,14 +31,14 @@ class FakeExecutor : public Executor {
 
   void cancel(const RunHandle& run, StopBy stop) override {
     (stop == StopBy::kill ? killed : asked_to_stop).push_back(run);
-    if (stop == StopBy::kill) end(run, {RunEnd::How::signalled, 9});
+    if (stop == StopBy::kill) end(run, {ProcessEnd::How::signalled, 9});
   }
 
-  void end(const RunHandle& run, RunEnd how) {
+  void end(const RunHandle& run, ProcessEnd how) {
     ends_[run] = how;
     std::erase(running, run);
   }
-  void exit(const RunHandle& run, int code) { end(run, {RunEnd::How::exited, code}); }
+  void exit(const RunHandle& run, int code) { end(run, {ProcessEnd::How::exited, code}); }
 
   void take_memory(double mb) { usage_.memory_mb = mb; }
 
@@ -51,7 +51,7 @@ class FakeExecutor : public Executor {
  private:
   int count_ = 0;
   RunUsage usage_;
-  std::map<RunHandle, RunEnd> ends_;
+  std::map<RunHandle, ProcessEnd> ends_;
 };
 
 }  // namespace capstan

@@ -24,7 +24,7 @@
 
 #include "runner/cli/program.hpp"
 #include "solver/run_directory/exit_code.hpp"
-#include "runner/worker/stop_signals.hpp"
+#include "solver/run_directory/stop_signals.hpp"
 
 namespace capstan {
 namespace {

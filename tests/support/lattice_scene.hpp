@@ -5,8 +5,8 @@
 #include <span>
 
 #include "solver/coupling/viscosity_field.hpp"
-#include "solver/grid/full_approximation.hpp"
 #include "solver/fluid/paper/level.hpp"
+#include "solver/grid/full_approximation.hpp"
 
 namespace capstan::testing {
 

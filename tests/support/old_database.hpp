@@ -15,8 +15,9 @@ inline void make_old_database(const std::filesystem::path& file, const std::stri
   const std::string sql = file_bytes(CAPSTAN_SOURCE_DIR "/tests/reference/queue_format_1.sql");
   sqlite3* old = nullptr;
   sqlite3_open(file.c_str(), &old);
-  EXPECT_EQ(sqlite3_exec(old, (sql + changed + "PRAGMA user_version = 1;").c_str(), nullptr, nullptr, nullptr),
-            SQLITE_OK);
+  EXPECT_EQ(
+      sqlite3_exec(old, (sql + changed + "PRAGMA user_version = 1;").c_str(), nullptr, nullptr, nullptr),
+      SQLITE_OK);
   sqlite3_close(old);
 }
 

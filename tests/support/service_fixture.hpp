@@ -5,8 +5,8 @@
 #include <fstream>
 #include <memory>
 
-#include "runner/queries/queries.hpp"
 #include "runner/daemon/service.hpp"
+#include "runner/queries/queries.hpp"
 #include "tests/support/fake_clock.hpp"
 #include "tests/support/fake_executor.hpp"
 #include "tests/support/sample_studies.hpp"

@@ -100,8 +100,8 @@ TEST_F(CommandLineTest, OutputThatCannotBeWrittenIsAnError) {
 }
 
 TEST_F(CommandLineTest, ServerThatCannotSayWhereItServesDoesNotServe) {
-  const CommandResult result = run_capstan(
-      "serve --listen 127.0.0.1:0 --data " + (directory_.path() / "data").string(), ">/dev/full");
+  const CommandResult result =
+      run_capstan("serve --listen 127.0.0.1:0 --data " + (directory_.path() / "data").string(), ">/dev/full");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.errors, HasSubstr("cannot write to standard output"));
 }

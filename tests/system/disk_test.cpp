@@ -6,8 +6,8 @@
 #include <fstream>
 #include <random>
 
-#include "runner/store/database.hpp"
 #include "runner/doctor/database_checks.hpp"
+#include "runner/store/database.hpp"
 #include "tests/support/failing_disk.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/program.hpp"

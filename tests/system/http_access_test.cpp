@@ -27,7 +27,7 @@ struct TokenInEnvironment {
   ~TokenInEnvironment() { unsetenv("CAPSTAN_TOKEN"); }
 };
 
-class DoorTest : public testing::Test {
+class HttpAccessTest : public testing::Test {
  protected:
   std::string ask(const Daemon& daemon, const std::string& request) {
     RawConnection connection(daemon.url());
@@ -37,7 +37,7 @@ class DoorTest : public testing::Test {
   TemporaryDirectory data_;
 };
 
-TEST_F(DoorTest, AddressThatOthersCanReachNeedsAToken) {
+TEST_F(HttpAccessTest, AddressThatOthersCanReachNeedsAToken) {
   for (const char* address : {"0.0.0.0:0", "[::]:0"}) {
     const CommandResult refused =
         run_capstan("serve --data " + data_.path().string() + " --listen " + std::string(address));
@@ -49,7 +49,7 @@ TEST_F(DoorTest, AddressThatOthersCanReachNeedsAToken) {
   EXPECT_EQ(status_of(ask(daemon, request_text("GET", "/healthz"))), 401);
 }
 
-TEST_F(DoorTest, TokenIsAskedOnEveryRouteAndSentByEveryCommand) {
+TEST_F(HttpAccessTest, TokenIsAskedOnEveryRouteAndSentByEveryCommand) {
   const TokenInEnvironment token;
   const Daemon daemon(data_.path());
   for (const char* path : {"/healthz", "/readyz", "/metrics", "/openapi.yaml", "/v1/studies", "/nothing"})
@@ -66,7 +66,7 @@ TEST_F(DoorTest, TokenIsAskedOnEveryRouteAndSentByEveryCommand) {
   EXPECT_THAT(refused.errors, HasSubstr("Bearer"));
 }
 
-TEST_F(DoorTest, TokenStandsInNoLog) {
+TEST_F(HttpAccessTest, TokenStandsInNoLog) {
   const TokenInEnvironment token;
   const Daemon daemon(data_.path());
   ask(daemon,
@@ -78,7 +78,7 @@ TEST_F(DoorTest, TokenStandsInNoLog) {
   EXPECT_EQ(log.find(kToken), log.npos);
 }
 
-TEST_F(DoorTest, NamesOfTheServerAreThoseThatWereGiven) {
+TEST_F(HttpAccessTest, NamesOfTheServerAreThoseThatWereGiven) {
   const Daemon daemon(data_.path(), {"--host", "capsules.example.org"});
   const auto status = [&](const std::string& host) {
     return status_of(ask(daemon, "GET /healthz HTTP/1.1\r\nHost: " + host + "\r\n\r\n"));
@@ -89,27 +89,27 @@ TEST_F(DoorTest, NamesOfTheServerAreThoseThatWereGiven) {
             403);
 }
 
-TEST_F(DoorTest, AnyLoopbackAddressServesWithoutAToken) {
+TEST_F(HttpAccessTest, AnyLoopbackAddressServesWithoutAToken) {
   const Daemon daemon(data_.path(), {"--listen", "127.0.0.2:0"});
   EXPECT_THAT(daemon.url(), StartsWith("http://127.0.0.2:"));
   EXPECT_EQ(run_capstan("studies --server " + daemon.url()).exit_code, 0);
 }
 
-TEST_F(DoorTest, NoAnswerIsTakenForAnotherType) {
+TEST_F(HttpAccessTest, NoAnswerIsTakenForAnotherType) {
   const Daemon daemon(data_.path());
   for (const char* target : {"/healthz", "/nothing", "/v1/studies?a=b", "/v1/%"})
     EXPECT_THAT(ask(daemon, request_text("GET", target)),
                 HasSubstr("\r\nX-Content-Type-Options: nosniff\r\n"));
 }
 
-TEST_F(DoorTest, AnswerIsNeverCompressedSoThatItsTagHolds) {
+TEST_F(HttpAccessTest, AnswerIsNeverCompressedSoThatItsTagHolds) {
   const Daemon daemon(data_.path());
   const std::string plain = ask(daemon, request_text("GET", "/openapi.yaml"));
   EXPECT_EQ(ask(daemon, request_text("GET", "/openapi.yaml", "Accept-Encoding: gzip, br\r\n")), plain);
   EXPECT_THAT(plain, HasSubstr("ETag: \""));
 }
 
-TEST_F(DoorTest, StudyIsFollowedToItsEnd) {
+TEST_F(HttpAccessTest, StudyIsFollowedToItsEnd) {
   const Daemon daemon(data_.path());
   Client client(daemon.url());
   const std::string id =
@@ -125,7 +125,7 @@ TEST_F(DoorTest, StudyIsFollowedToItsEnd) {
 }
 
 /// Eight streams, half of the threads; a ninth is told to come later, and everything else is answered.
-TEST_F(DoorTest, FollowersLeaveHalfOfTheThreadsFree) {
+TEST_F(HttpAccessTest, FollowersLeaveHalfOfTheThreadsFree) {
   const Daemon daemon(data_.path());
   Client client(daemon.url());
   const std::string id =
@@ -147,7 +147,7 @@ TEST_F(DoorTest, FollowersLeaveHalfOfTheThreadsFree) {
   });
 }
 
-TEST_F(DoorTest, LogIsReopenedAtSighup) {
+TEST_F(HttpAccessTest, LogIsReopenedAtSighup) {
   Daemon daemon(data_.path());
   const std::filesystem::path log = data_.path() / "requests.log";
   ask(daemon, request_text("GET", "/healthz"));
@@ -162,7 +162,7 @@ TEST_F(DoorTest, LogIsReopenedAtSighup) {
 }
 
 /// Studies that take the database for seconds.
-TEST_F(DoorTest, EndIsNotKeptWaitingByRequestsUnderWay) {
+TEST_F(HttpAccessTest, EndIsNotKeptWaitingByRequestsUnderWay) {
   Daemon daemon(data_.path());
   const std::string grid = R"({"from": 0.1, "to": 1, "count": 2000})";
   std::vector<RawConnection> clients;
@@ -176,7 +176,7 @@ TEST_F(DoorTest, EndIsNotKeptWaitingByRequestsUnderWay) {
   for (RawConnection& client : clients) EXPECT_NE(status_of(client.receive_all()), 400);
 }
 
-TEST_F(DoorTest, BodyUnderWayAtTheEndIsToBeSentAgain) {
+TEST_F(HttpAccessTest, BodyUnderWayAtTheEndIsToBeSentAgain) {
   Daemon daemon(data_.path());
   RawConnection client(daemon.url());
   client.send(
@@ -189,7 +189,7 @@ TEST_F(DoorTest, BodyUnderWayAtTheEndIsToBeSentAgain) {
   EXPECT_THAT(answer, HasSubstr("Retry-After: "));
 }
 
-TEST_F(DoorTest, StudyIsDeletedByADaemonThatIsKilledMeanwhile) {
+TEST_F(HttpAccessTest, StudyIsDeletedByADaemonThatIsKilledMeanwhile) {
   std::string id;
   {
     Daemon daemon(data_.path(), {}, "deleted");
@@ -207,7 +207,7 @@ TEST_F(DoorTest, StudyIsDeletedByADaemonThatIsKilledMeanwhile) {
   EXPECT_TRUE(is_empty(data_.path() / "runs"));
 }
 
-TEST_F(DoorTest, DaemonEndsAtOnceWhileClientsHang) {
+TEST_F(HttpAccessTest, DaemonEndsAtOnceWhileClientsHang) {
   Daemon daemon(data_.path());
   Client client(daemon.url());
   const std::string id =

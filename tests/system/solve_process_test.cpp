@@ -204,7 +204,8 @@ TEST_F(OldRunDirectory, UnfinishedOneIsResumed) {
     EXPECT_THAT(log("old"), HasSubstr("resumed at step"));
     EXPECT_NEAR(result("old")["final"]["D_xy"], before["final"]["D_xy"], 1e-6);
   } else {  // and is computed anew: its answer is another one
-    EXPECT_THAT(log("old"), testing::ContainsRegex("is of numerics version 1|belongs to case 8fa8431217afd399"));
+    EXPECT_THAT(log("old"),
+                testing::ContainsRegex("is of numerics version 1|belongs to case 8fa8431217afd399"));
     EXPECT_EQ(result("old")["stop"], "reached_end");
   }
 }

@@ -18,7 +18,7 @@ LatticeCoupling::LatticeCoupling(const Case& c, const TriangleMesh& mesh, const 
       cells_(int(std::lround(c.fidelity.box / c.fidelity.dx))),
       contrast_(c.V),
       boundary_(finest_grid(c.fidelity)) {
-  if (c.has_viscosity_contrast())
+  if (c.has_viscosity_ratio())
     viscosity_.emplace(finest_grid(c.fidelity), mesh, Orbits::without_symmetry(mesh.vertex_count()));
 }
 

@@ -30,9 +30,9 @@ struct Level::RowBuffer {
 namespace {
 
 /// out = keep f + blend (f_star + defect), n cells; a null defect is zero.
-CAPSTAN_VECTOR_UNITS void blend_row(
-    double* __restrict out, const double* __restrict f, const double* __restrict f_star,
-    const double* __restrict defect, int n, double keep, double blend) {
+CAPSTAN_VECTOR_UNITS void blend_row(double* __restrict out, const double* __restrict f,
+                                    const double* __restrict f_star, const double* __restrict defect, int n,
+                                    double keep, double blend) {
   if (defect)
     for (int i = 0; i < n; ++i) out[i] = keep * f[i] + blend * (f_star[i] + defect[i]);
   else

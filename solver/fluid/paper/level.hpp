@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "solver/grid/cell_box.hpp"
 #include "solver/fluid/lbm/collision.hpp"
-#include "solver/fluid/paper/population_ghosts.hpp"
 #include "solver/fluid/lbm/population_field.hpp"
+#include "solver/fluid/paper/population_ghosts.hpp"
 #include "solver/fluid/paper/transfer.hpp"
+#include "solver/grid/cell_box.hpp"
 
 namespace capstan {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/grid/full_approximation.hpp"
 #include "solver/fluid/lbm/populations_archive.hpp"
+#include "solver/grid/full_approximation.hpp"
 
 namespace capstan {
 namespace {
@@ -24,24 +24,24 @@ std::vector<Level> levels_of(const Case& c) {
 
 }  // namespace
 
-PaperLbm::PaperLbm(const Case& c, const TriangleMesh& mesh)
+PaperFlow::PaperFlow(const Case& c, const TriangleMesh& mesh)
     : tolerance_(c.fidelity.tolerance), levels_(levels_of(c)), coupling_(c, mesh, units_of(c)) {
   levels_.front().set_couette();
 }
 
-FlowReport PaperLbm::solve(double, const Points& positions, const Points& forces, Points& velocities) {
+FlowReport PaperFlow::solve(double, const Points& positions, const Points& forces, Points& velocities) {
   if (!positions.allFinite() || !forces.allFinite()) return lost_flow(kLostMembrane);
   if (!coupling_.put_membrane(positions, forces, levels_)) return lost_flow(kOutsideOfDomain);
   return cycle_until_converged(velocities);
 }
 
 // Eq. 26: the change of velocity over a cycle. The error is larger, the more the slower the cycles converge.
-FlowReport PaperLbm::cycle_until_converged(Points& velocities) {
-  constexpr int kMostCycles = 400;
+FlowReport PaperFlow::cycle_until_converged(Points& velocities) {
+  constexpr int kMaxCycles = 400;
   constexpr CycleShape kWCycle{.pre = 1, .post = 1, .visits = 2, .coarsest = 10};
   VectorBox last = grid_velocity();
   FlowReport report;
-  while (report.iterations < kMostCycles) {
+  while (report.iterations < kMaxCycles) {
     fas_cycle(std::span(levels_), kWCycle);
     ++report.iterations;
     VectorBox now = grid_velocity();
@@ -58,7 +58,7 @@ FlowReport PaperLbm::cycle_until_converged(Points& velocities) {
   return report;
 }
 
-VectorBox PaperLbm::grid_velocity() const {
+VectorBox PaperFlow::grid_velocity() const {
   const auto [nx, ny, nz] = levels_.front().extent();
   VectorBox velocity;
   velocity.reset({0, 0, 0}, {nx, ny, nz});
@@ -66,11 +66,11 @@ VectorBox PaperLbm::grid_velocity() const {
   return velocity;
 }
 
-void PaperLbm::save(StateArchive& archive) const {
+void PaperFlow::save(StateArchive& archive) const {
   put_populations(archive, "fluid/f", levels_.front().populations());
 }
 
-void PaperLbm::load(const StateArchive& archive) {
+void PaperFlow::load(const StateArchive& archive) {
   get_populations(archive, "fluid/f", levels_.front().populations());
 }
 

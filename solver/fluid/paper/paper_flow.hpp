@@ -9,9 +9,9 @@
 
 namespace capstan {
 
-class PaperLbm : public FlowModel {
+class PaperFlow : public FlowModel {
  public:
-  PaperLbm(const Case& c, const TriangleMesh& mesh);
+  PaperFlow(const Case& c, const TriangleMesh& mesh);
 
   FlowReport solve(double kt, const Points& positions, const Points& forces, Points& velocities) override;
   void save(StateArchive& archive) const override;

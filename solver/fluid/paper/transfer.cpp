@@ -70,8 +70,8 @@ PopulationMatrix scaling(const MomentFactors& factors, const MrtRates& rates) {
   return matrix;
 }
 
-CAPSTAN_VECTOR_UNITS void multiply_add(
-    double* __restrict out, const double* __restrict in, double factor, int n) {
+CAPSTAN_VECTOR_UNITS void multiply_add(double* __restrict out, const double* __restrict in, double factor,
+                                       int n) {
   for (int i = 0; i < n; ++i) out[i] += factor * in[i];
 }
 

@@ -1,8 +1,8 @@
 #include "solver/fluid/quasisteady/convection.hpp"
 
-#include "solver/grid/vector_units.hpp"
-#include "solver/grid/for_each_row.hpp"
 #include "solver/fluid/quasisteady/sweep.hpp"
+#include "solver/grid/for_each_row.hpp"
+#include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "solver/fluid/quasisteady/convection.hpp"
-#include "solver/grid/for_each_row.hpp"
 #include "solver/fluid/quasisteady/intergrid.hpp"
+#include "solver/grid/for_each_row.hpp"
 
 namespace capstan {
 namespace {

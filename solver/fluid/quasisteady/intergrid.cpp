@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "solver/grid/vector_units.hpp"
 #include "solver/grid/for_each_row.hpp"
+#include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 namespace {

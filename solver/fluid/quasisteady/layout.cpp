@@ -8,9 +8,9 @@ namespace {
 // Measured against the uniform grid (README, "A grid around the capsule"): the velocity at the membrane
 // changes by less than 1e-3. Cells of the grid itself, on every side.
 constexpr int kMarginOfFinest = 6, kMarginOfNext = 4;
-constexpr int kSlack = 2;              // the capsule moves so far before its box does
-constexpr int kClearOfSides = 4;       // a box closer to a side of the domain ends there
-constexpr double kLargestShare = 0.5;  // of the domain that a box may have before it is all of it
+constexpr int kSlack = 2;          // the capsule moves so far before its box does
+constexpr int kClearOfSides = 4;   // a box closer to a side of the domain ends there
+constexpr double kMaxShare = 0.5;  // of the domain that a box may have before it is all of it
 
 int rounded_up_to_even(int n) { return (n + 1) & ~1; }
 
@@ -34,7 +34,7 @@ IndexBox fitted(IndexBox box, const Domain& domain, int grid) {
     if (low || goes_around) box.lo[axis] = all.lo[axis];
     if (high || goes_around) box.hi[axis] = all.hi[axis];
   }
-  return double(box.cells()) > kLargestShare * double(all.cells()) ? all : box;
+  return double(box.cells()) > kMaxShare * double(all.cells()) ? all : box;
 }
 
 bool still_fits(const IndexBox& box, const IndexBox& needed, const IndexBox& wanted) {

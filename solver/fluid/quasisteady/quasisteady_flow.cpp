@@ -13,8 +13,8 @@ namespace {
 // cycle below -1/3 would not. Measured for 0.1 <= V <= 10.
 constexpr Relaxation kRelaxation = {{0.9, 0.75}, 0.5};
 
-constexpr int kMostCycles = 100;
-constexpr double kLeastContraction = 0.2;
+constexpr int kMaxCycles = 100;
+constexpr double kMinContraction = 0.2;
 // Two visits of the coarser grid from every patch; the small grids at the end are many and cost more than
 // they bring.
 constexpr CycleShape kCycle{.pre = 0, .post = 2, .visits = 2, .once = 2, .coarsest = 10};
@@ -26,7 +26,7 @@ GridGeometry finest_grid(double dx) { return {Vec3::Constant(dx / 2), dx}; }
 }  // namespace
 
 template <class T>
-CompositeLbm<T>::CompositeLbm(const TriangleMesh& mesh, Orbits orbits, const CompositeOptions& options)
+QuasisteadyFlow<T>::QuasisteadyFlow(const TriangleMesh& mesh, Orbits orbits, const CompositeOptions& options)
     : options_(options),
       domain_{int(std::lround(options.box / options.dx)), false, options.is_uniform},
       boundary_(finest_grid(options.dx), orbits) {
@@ -35,8 +35,8 @@ CompositeLbm<T>::CompositeLbm(const TriangleMesh& mesh, Orbits orbits, const Com
 }
 
 template <class T>
-FlowReport CompositeLbm<T>::solve(double kt, const Points& positions, const Points& forces,
-                                  Points& velocities) {
+FlowReport QuasisteadyFlow<T>::solve(double kt, const Points& positions, const Points& forces,
+                                     Points& velocities) {
   if (!positions.allFinite() || !forces.allFinite()) return lost_flow(kLostMembrane);
   if (!put_membrane(positions)) return lost_flow(kOutsideOfDomain);
   if (viscosity_) put_viscosity(positions);
@@ -51,7 +51,7 @@ FlowReport CompositeLbm<T>::solve(double kt, const Points& positions, const Poin
 }
 
 template <class T>
-bool CompositeLbm<T>::put_membrane(const Points& positions) {
+bool QuasisteadyFlow<T>::put_membrane(const Points& positions) {
   if (!boundary_.place(positions)) return false;
   const IndexBox capsule = boundary_.touched(kSmoothing);
   if (!domain_.box(0).contains(capsule)) return false;
@@ -62,7 +62,7 @@ bool CompositeLbm<T>::put_membrane(const Points& positions) {
 /// Boxes follow the capsule; the coarser ones first, for a finer one is interpolated from them where it is
 /// new.
 template <class T>
-void CompositeLbm<T>::follow(const IndexBox& capsule) {
+void QuasisteadyFlow<T>::follow(const IndexBox& capsule) {
   const std::vector<IndexBox> boxes = plan_boxes(domain_, capsule, boxes_);
   if (grids_.empty()) make_grids(boxes);
   for (int grid = int(boxes.size()) - 2; grid >= 0; --grid)
@@ -71,14 +71,14 @@ void CompositeLbm<T>::follow(const IndexBox& capsule) {
 }
 
 template <class T>
-void CompositeLbm<T>::make_grids(const std::vector<IndexBox>& boxes) {
+void QuasisteadyFlow<T>::make_grids(const std::vector<IndexBox>& boxes) {
   for (int grid = 0; grid < int(boxes.size()); ++grid)
     grids_.emplace_back(boxes[grid], domain_.box(grid), domain_.rules(), options_.dx * (1 << grid),
                         options_.Re, viscosity_.has_value(), kRelaxation);
 }
 
 template <class T>
-void CompositeLbm<T>::put_viscosity(const Points& positions) {
+void QuasisteadyFlow<T>::put_viscosity(const Points& positions) {
   const IndexBox capsule = boundary_.touched(kSmoothing);
   ScalarBox ratio;
   ratio.reset(capsule.lo, capsule.sizes());
@@ -91,7 +91,7 @@ void CompositeLbm<T>::put_viscosity(const Points& positions) {
 
 // Linear in time: what is left for the cycles is the second difference of the flow.
 template <class T>
-void CompositeLbm<T>::extrapolate_to(double kt) {
+void QuasisteadyFlow<T>::extrapolate_to(double kt) {
   if (!solved_at_.empty() && kt == solved_at_.back()) return;
   const double weight =
       solved_at_.size() < 2 ? 0 : (kt - solved_at_.back()) / (solved_at_.back() - solved_at_.front());
@@ -103,7 +103,7 @@ void CompositeLbm<T>::extrapolate_to(double kt) {
 // Between two solves the finest grid holds velocities, not momentum: forces change with every cell that the
 // membrane passes, velocities little, and it is velocities that are extrapolated.
 template <class T>
-void CompositeLbm<T>::put_forces(const Points& forces) {
+void QuasisteadyFlow<T>::put_forces(const Points& forces) {
   boundary_.spread(forces, kAmbientViscosity / options_.dx, force_);
   for (Grid<T>& grid : grids_) {
     grid.clear_force();
@@ -115,7 +115,7 @@ void CompositeLbm<T>::put_forces(const Points& forces) {
 
 /// u = g - F/2 and the undisturbed shear, which is exact at the vertex itself.
 template <class T>
-void CompositeLbm<T>::vertex_velocities(const Points& positions, Points& velocities) {
+void QuasisteadyFlow<T>::vertex_velocities(const Points& positions, Points& velocities) {
   velocity_.reset(force_.lo(), force_.size());
   grids_.front().momentum(velocity_);
   add_scaled(-0.5, force_, velocity_);
@@ -124,13 +124,13 @@ void CompositeLbm<T>::vertex_velocities(const Points& positions, Points& velocit
 }
 
 template <class T>
-void CompositeLbm<T>::cycle() {
+void QuasisteadyFlow<T>::cycle() {
   fas_cycle(std::span(grids_), kCycle);
 }
 
 /// The next solve starts from rest: nothing can be computed from numbers that are not finite.
 template <class T>
-void CompositeLbm<T>::forget_flow() {
+void QuasisteadyFlow<T>::forget_flow() {
   grids_.clear();
   solved_at_.clear();
 }
@@ -138,21 +138,20 @@ void CompositeLbm<T>::forget_flow() {
 // The change of one cycle is not its error: with contraction rho the cycles to come would add change rho/(1 -
 // rho). Differs from the paper, which stops on the change (eq. 26).
 template <class T>
-FlowReport CompositeLbm<T>::cycle_until_converged(const Points& positions, Points& velocities) {
+FlowReport QuasisteadyFlow<T>::cycle_until_converged(const Points& positions, Points& velocities) {
   Points last;
   vertex_velocities(positions, last);
   FlowReport report;
   double last_change = 0;
-  while (report.iterations < kMostCycles) {
+  while (report.iterations < kMaxCycles) {
     cycle();
     ++report.iterations;
     vertex_velocities(positions, velocities);
     const double change = (velocities - last).norm() / velocities.norm();
     if (!std::isfinite(change)) return lost_flow("the flow is not finite");
     // the first ratios flatter: smooth errors, which converge last, have not shown yet
-    const double contraction = report.iterations > 1
-                                   ? std::clamp(change / last_change, kLeastContraction, 0.95)
-                                   : first_contraction_;
+    const double contraction =
+        report.iterations > 1 ? std::clamp(change / last_change, kMinContraction, 0.95) : first_contraction_;
     if (report.iterations == 2) first_contraction_ = contraction;
     report.error = change * contraction / (1 - contraction);
     if (report.error <= options_.tolerance) return report;
@@ -165,7 +164,7 @@ FlowReport CompositeLbm<T>::cycle_until_converged(const Points& positions, Point
 }
 
 template <class T>
-void CompositeLbm<T>::save(StateArchive& archive) const {
+void QuasisteadyFlow<T>::save(StateArchive& archive) const {
   std::vector<double> boxes;
   for (std::size_t grid = 0; grid < grids_.size(); ++grid) {
     for (int axis = 0; axis < 3; ++axis)
@@ -182,7 +181,7 @@ void CompositeLbm<T>::save(StateArchive& archive) const {
 }
 
 template <class T>
-void CompositeLbm<T>::load(const StateArchive& archive) {
+void QuasisteadyFlow<T>::load(const StateArchive& archive) {
   const auto numbers = archive.get("fluid/boxes");
   boxes_.resize(numbers.size() / 6);
   for (std::size_t i = 0; i < numbers.size(); i += 6)
@@ -203,7 +202,7 @@ void CompositeLbm<T>::load(const StateArchive& archive) {
   first_contraction_ = archive.number("fluid/contraction");
 }
 
-template class CompositeLbm<float>;
-template class CompositeLbm<double>;
+template class QuasisteadyFlow<float>;
+template class QuasisteadyFlow<double>;
 
 }  // namespace capstan

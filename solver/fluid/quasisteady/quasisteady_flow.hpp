@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "solver/coupling/viscosity_field.hpp"
+#include "solver/fluid/flow_model.hpp"
 #include "solver/fluid/quasisteady/grid.hpp"
 #include "solver/fluid/quasisteady/layout.hpp"
 #include "solver/fluid/quasisteady/symmetric_boundary.hpp"
-#include "solver/fluid/flow_model.hpp"
 
 namespace capstan {
 
@@ -26,9 +26,9 @@ struct CompositeOptions {
 
 /// \tparam T of the numbers on the grids: float or double
 template <class T>
-class CompositeLbm : public FlowModel {
+class QuasisteadyFlow : public FlowModel {
  public:
-  CompositeLbm(const TriangleMesh& mesh, Orbits orbits, const CompositeOptions& options);
+  QuasisteadyFlow(const TriangleMesh& mesh, Orbits orbits, const CompositeOptions& options);
 
   FlowReport solve(double kt, const Points& positions, const Points& forces, Points& velocities) override;
   void save(StateArchive& archive) const override;

@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "solver/grid/vector_units.hpp"
 #include "solver/fluid/quasisteady/intergrid.hpp"
 #include "solver/fluid/quasisteady/sweep.hpp"
+#include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "solver/grid/vector_units.hpp"
 #include "solver/grid/row_field.hpp"
+#include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 namespace {

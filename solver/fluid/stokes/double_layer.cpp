@@ -19,10 +19,12 @@ DoubleLayer::DoubleLayer(const Surface& surface, const Neighbourhood& neighbourh
                          const std::vector<CloseFace>& close)
     : surface_(surface), targets_(neighbourhood.targets()) {
   area_vectors_.assign(surface.vertex_area_vectors);
-  for (const CloseFace& here : close) corrections_.push_back(make_correction(surface, targets_[here.slot], here));
+  for (const CloseFace& here : close)
+    corrections_.push_back(make_correction(surface, targets_[here.slot], here));
 }
 
-DoubleLayer::Correction DoubleLayer::make_correction(const Surface& surface, int target, const CloseFace& here) {
+DoubleLayer::Correction DoubleLayer::make_correction(const Surface& surface, int target,
+                                                     const CloseFace& here) {
   Correction correction{here.slot, surface.mesh.faces.col(here.face), {}};
   const Vec3 x0 = surface.positions.col(target), area_vector = surface.face_area_vectors.col(here.face);
   const Eigen::Matrix3d x = surface.positions(Eigen::all, correction.corners);
@@ -41,9 +43,10 @@ Points DoubleLayer::apply(const Points& velocities) const {
 #pragma omp parallel for schedule(static)
   for (int slot = 0; slot < int(targets_.size()); ++slot) {
     const int target = targets_[slot];
-    result.col(slot) = sum_stresslets(surface_.points, area_vectors_, u, surface_.positions.col(target).cast<float>(),
-                                      velocities.col(target).cast<float>())
-                           .cast<double>();
+    result.col(slot) =
+        sum_stresslets(surface_.points, area_vectors_, u, surface_.positions.col(target).cast<float>(),
+                       velocities.col(target).cast<float>())
+            .cast<double>();
   }
   for (const Correction& correction : corrections_)
     for (int c : {0, 1, 2})

@@ -4,8 +4,9 @@
 
 namespace capstan {
 
-LinearSolution solve_gmres(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply, const Eigen::VectorXd& b,
-                           double tolerance, int most_products, Eigen::VectorXd& x) {
+LinearSolution solve_gmres(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply,
+                           const Eigen::VectorXd& b, double tolerance, int most_products,
+                           Eigen::VectorXd& x) {
   const Eigen::VectorXd residual = b - apply(x);
   const double beta = residual.norm(), wanted = tolerance * b.norm();
   LinearSolution solution{.products = 1, .relative_error = beta / b.norm()};

@@ -1,9 +1,10 @@
 #pragma once
-// The sums over all pairs of the boundary integral method, in single precision on vector units: each reads once over
-// the sources for one target. With r = x - x0 and the kernels of Pozrikidis (1992):
+// The sums over all pairs of the boundary integral method, in single precision on vector units: each reads
+// once over the sources for one target. With r = x - x0 and the kernels of Pozrikidis (1992):
 //   Stokeslet   G_ij = delta_ij / r + r_i r_j / r^3
 //   stresslet   T_ijk = -6 r_i r_j r_k / r^5
-// A source on the target itself counts for nothing. Single precision costs 1e-6 relative, below any quadrature error.
+// A source on the target itself counts for nothing. Single precision costs 1e-6 relative, below any
+// quadrature error.
 #include <Eigen/Core>
 #include <vector>
 
@@ -37,15 +38,18 @@ class PointArray {
 };
 
 /// sum_n G(x_n - x0) F_n.  \param points, strengths of equal size
-Eigen::Vector3f sum_stokeslets(const PointArray& points, const PointArray& strengths, const Eigen::Vector3f& x0);
+Eigen::Vector3f sum_stokeslets(const PointArray& points, const PointArray& strengths,
+                               const Eigen::Vector3f& x0);
 
 /// sum_n (u_n - u0)_i T_ijk(x_n - x0) N_k,n.  \param area_vectors N: outward normal times area
-Eigen::Vector3f sum_stresslets(const PointArray& points, const PointArray& area_vectors, const PointArray& velocities,
-                               const Eigen::Vector3f& x0, const Eigen::Vector3f& u0);
+Eigen::Vector3f sum_stresslets(const PointArray& points, const PointArray& area_vectors,
+                               const PointArray& velocities, const Eigen::Vector3f& x0,
+                               const Eigen::Vector3f& u0);
 
 /// How many points lie within their own reach of x0, and which.
-/// \param reach_squared one number a point, padded with zeros   \param marks one a point, padded: 1 within reach, else 0
-int mark_within_reach(const PointArray& points, const std::vector<float>& reach_squared, const Eigen::Vector3f& x0,
-                      std::vector<unsigned char>& marks);
+/// \param reach_squared one number a point, padded with zeros   \param marks one a point, padded: 1 within
+/// reach, else 0
+int mark_within_reach(const PointArray& points, const std::vector<float>& reach_squared,
+                      const Eigen::Vector3f& x0, std::vector<unsigned char>& marks);
 
 }  // namespace capstan

@@ -5,13 +5,13 @@
 namespace capstan {
 namespace {
 
-constexpr int kMostSplits = 3;
+constexpr int kMaxSplits = 3;
 
 /// \param part 3 x 3, barycentric coordinates of the corners of this part   \param share of the whole area
-void append_rule(const Eigen::Matrix3d& corners, const Vec3& x0, const Eigen::Matrix3d& part, double share, int splits,
-                 std::vector<TrianglePoint>& rule) {
+void append_rule(const Eigen::Matrix3d& corners, const Vec3& x0, const Eigen::Matrix3d& part, double share,
+                 int splits, std::vector<TrianglePoint>& rule) {
   const Eigen::Matrix3d x = corners * part;
-  if (splits == kMostSplits || TriangleSize(x).is_served_from(x0)) {
+  if (splits == kMaxSplits || TriangleSize(x).is_served_from(x0)) {
     for (int n = 0; n < kGaussPoints; ++n) {
       const TrianglePoint point = gauss_point(n);
       rule.push_back({part * point.barycentric, share * point.weight});

@@ -31,8 +31,8 @@ inline constexpr std::array<EdgePoint, 5> kEdgeRule = {{{0.046910077030668, 0.11
                                                         {0.769234655052842, 0.239314335249683},
                                                         {0.953089922969332, 0.118463442528095}}};
 
-/// A triangle as far as it matters to the three-point rule, which serves for x0 no nearer than half its longest side:
-/// that is about the distance between its points.
+/// A triangle as far as it matters to the three-point rule, which serves for x0 no nearer than half its
+/// longest side: that is about the distance between its points.
 struct TriangleSize {
   explicit TriangleSize(const Eigen::Matrix3d& corners);
   bool is_served_from(const Vec3& x0) const { return (centre - x0).squaredNorm() >= squared / 4; }
@@ -41,9 +41,8 @@ struct TriangleSize {
   double squared;  ///< longest side, squared
 };
 
-/// The three-point rule on a triangle split into four again and again, until it serves on every part or a part has been
-/// split three times.
-/// \param corners 3 x 3, one column a corner
+/// The three-point rule on a triangle split into four again and again, until it serves on every part or a
+/// part has been split three times. \param corners 3 x 3, one column a corner
 std::vector<TrianglePoint> refined_rule(const Eigen::Matrix3d& corners, const Vec3& x0);
 
 }  // namespace capstan

@@ -11,7 +11,7 @@
 namespace capstan {
 namespace {
 
-constexpr int kMostProducts = 150;
+constexpr int kMaxProducts = 150;
 constexpr double kVolumeRate = 10;  // fast against the flow, slow against the membrane
 
 Points shear_flow(const Points& positions) {
@@ -24,7 +24,8 @@ double flux(const Points& vectors, const Surface& surface) {
   return vectors.cwiseProduct(surface.vertex_area_vectors).sum();
 }
 
-/// A pressure drives no flow, but a discrete one would: forces along N are taken out as far as they are one pressure.
+/// A pressure drives no flow, but a discrete one would: forces along N are taken out as far as they are one
+/// pressure.
 Points without_pressure(const Points& forces, const Surface& surface) {
   const Points& area_vectors = surface.vertex_area_vectors;
   return forces - flux(forces, surface) / area_vectors.squaredNorm() * area_vectors;
@@ -33,7 +34,10 @@ Points without_pressure(const Points& forces, const Surface& surface) {
 }  // namespace
 
 StokesFlow::StokesFlow(const TriangleMesh& mesh, Orbits orbits, const Options& options)
-    : mesh_(mesh), orbits_(std::move(orbits)), neighbourhood_(mesh_, orbits_.representatives()), options_(options) {}
+    : mesh_(mesh),
+      orbits_(std::move(orbits)),
+      neighbourhood_(mesh_, orbits_.representatives()),
+      options_(options) {}
 
 FlowReport StokesFlow::solve(double, const Points& positions, const Points& forces, Points& velocities) {
   if (!positions.allFinite() || !forces.allFinite()) return lost_flow(kLostMembrane);
@@ -65,12 +69,14 @@ FlowReport StokesFlow::solve_for_contrast(const Surface& surface, const std::vec
     return u - (1 - options_.viscosity_ratio) * double_layer.apply(all).reshaped();
   };
   Eigen::VectorXd u = last_.reshaped();
-  const LinearSolution solution = solve_gmres(apply, driven.reshaped(), options_.tolerance, kMostProducts, u);
+  const LinearSolution solution = solve_gmres(apply, driven.reshaped(), options_.tolerance, kMaxProducts, u);
   last_ = u.reshaped(3, u.size() / 3);
   FlowReport report{.iterations = solution.products, .error = solution.relative_error};
   if (!(solution.relative_error <= options_.tolerance)) {
     report.converged = false;
-    report.fault = "the boundary integral equation did not converge: raise tolerance, take V nearer to 1, or the fluid quasisteady";
+    report.fault =
+        "the boundary integral equation did not converge: raise tolerance, take V nearer to 1, or the fluid "
+        "quasisteady";
   }
   return report;
 }

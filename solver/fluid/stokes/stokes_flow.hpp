@@ -1,7 +1,7 @@
 #pragma once
 // Flow without inertia around and inside one capsule in an unbounded shear flow, by boundary integrals
-// (Pozrikidis 1992, section 5.3). At Re -> 0 and far from walls no fluid grid is needed: with the inner viscosity V times
-// the outer one the velocity of the membrane obeys, on the membrane alone,
+// (Pozrikidis 1992, section 5.3). At Re -> 0 and far from walls no fluid grid is needed: with the inner
+// viscosity V times the outer one the velocity of the membrane obeys, on the membrane alone,
 //   u(x0) = u_shear(x0) + 1/(8 pi) int G(x - x0) f dA + (1 - V)/(8 pi) int [u(x) - u(x0)] T(x - x0) n dA.
 #include "solver/fluid/flow_model.hpp"
 #include "solver/fluid/stokes/neighbourhood.hpp"
@@ -24,13 +24,15 @@ class StokesFlow : public FlowModel {
   void load(const StateArchive& archive) override;
 
  private:
-  FlowReport solve_for_contrast(const Surface& surface, const std::vector<CloseFace>& close, const Points& driven);
+  FlowReport solve_for_contrast(const Surface& surface, const std::vector<CloseFace>& close,
+                                const Points& driven);
 
   TriangleMesh mesh_;
   Orbits orbits_;
   Neighbourhood neighbourhood_;
   Options options_;
-  Points last_;  ///< 3 x #representatives: the last solution, where the next one starts; empty before the first
+  Points
+      last_;  ///< 3 x #representatives: the last solution, where the next one starts; empty before the first
 };
 
 }  // namespace capstan

@@ -1,6 +1,6 @@
 #pragma once
-// The capsule's surface as the boundary integrals see it at one instant: flat triangles and the vertex rule, in which a
-// third of each triangle belongs to each of its corners.
+// The capsule's surface as the boundary integrals see it at one instant: flat triangles and the vertex rule,
+// in which a third of each triangle belongs to each of its corners.
 #include "solver/fluid/stokes/point_sums.hpp"
 #include "solver/mesh/triangle_mesh.hpp"
 

@@ -18,10 +18,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "solver/grid/cell_box.hpp"
 #include "solver/fluid/lbm/collision.hpp"
-#include "solver/grid/huge_pages.hpp"
 #include "solver/fluid/lbm/population_field.hpp"
+#include "solver/grid/cell_box.hpp"
+#include "solver/grid/huge_pages.hpp"
 #include "solver/state/state_archive.hpp"
 
 namespace capstan {

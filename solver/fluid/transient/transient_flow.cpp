@@ -18,14 +18,16 @@ LatticeSettings settings_of(const Case& c) {
 }  // namespace
 
 template <class Real>
-TransientLbm<Real>::TransientLbm(const Case& c, const TriangleMesh& mesh)
-    : kdt_(transient_units(c).kdt), lattice_(extent_of(c), settings_of(c)), coupling_(c, mesh, transient_units(c)) {
+TransientFlow<Real>::TransientFlow(const Case& c, const TriangleMesh& mesh)
+    : kdt_(transient_units(c).kdt),
+      lattice_(extent_of(c), settings_of(c)),
+      coupling_(c, mesh, transient_units(c)) {
   lattice_.set_couette();
 }
 
 template <class Real>
-FlowReport TransientLbm<Real>::solve(double, const Points& positions, const Points& forces,
-                                     Points& velocities) {
+FlowReport TransientFlow<Real>::solve(double, const Points& positions, const Points& forces,
+                                      Points& velocities) {
   if (!positions.allFinite() || !forces.allFinite()) return lost_flow(kLostMembrane);
   if (!coupling_.place_membrane(positions, forces)) return lost_flow(kOutsideOfDomain);
   lattice_.set_force(&coupling_.force());
@@ -36,7 +38,7 @@ FlowReport TransientLbm<Real>::solve(double, const Points& positions, const Poin
   return {.iterations = 1};
 }
 
-template class TransientLbm<float>;
-template class TransientLbm<double>;
+template class TransientFlow<float>;
+template class TransientFlow<double>;
 
 }  // namespace capstan

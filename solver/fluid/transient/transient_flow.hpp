@@ -3,16 +3,16 @@
 // section VI and VIII: the baseline of Table I, and the model for Re >= 0.1).
 #include "solver/case/case.hpp"
 #include "solver/fluid/flow_model.hpp"
-#include "solver/fluid/transient/in_place_lattice.hpp"
 #include "solver/fluid/lbm/lattice_coupling.hpp"
+#include "solver/fluid/transient/in_place_lattice.hpp"
 
 namespace capstan {
 
 /// Real: float or double, of the populations.
 template <class Real>
-class TransientLbm : public FlowModel {
+class TransientFlow : public FlowModel {
  public:
-  TransientLbm(const Case& c, const TriangleMesh& mesh);
+  TransientFlow(const Case& c, const TriangleMesh& mesh);
 
   FlowReport solve(double kt, const Points& positions, const Points& forces, Points& velocities) override;
   std::optional<double> imposed_time_step() const override { return kdt_; }
@@ -25,7 +25,7 @@ class TransientLbm : public FlowModel {
   LatticeCoupling coupling_;
 };
 
-extern template class TransientLbm<float>;
-extern template class TransientLbm<double>;
+extern template class TransientFlow<float>;
+extern template class TransientFlow<double>;
 
 }  // namespace capstan

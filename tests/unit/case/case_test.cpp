@@ -245,7 +245,8 @@ TEST(ParseCase, SaysThatBoundaryIntegralsLeaveTheReynoldsNumberOut) {
 }
 
 TEST(ParseCase, WhatAutoChoseIsTheCaseThatRuns) {
-  EXPECT_EQ(case_id(valid({{"Ca", 0.1}, {"fluid", "auto"}})), case_id(valid({{"Ca", 0.1}, {"fluid", "stokes"}})));
+  EXPECT_EQ(case_id(valid({{"Ca", 0.1}, {"fluid", "auto"}})),
+            case_id(valid({{"Ca", 0.1}, {"fluid", "stokes"}})));
 }
 
 TEST(ParseCase, StokesFlowHasNeitherInertiaNorGrid) {
@@ -273,11 +274,12 @@ TEST(ParseCase, AGridThatCannotBeCoarsenedOrHeldIsAFault) {
 TEST(ParseCase, OnlyAFlowThatHasTheChoiceTakesASymmetryOrAPrecision) {
   const Case c = valid({{"Ca", 0.1}, {"fidelity", {{"symmetry", "none"}, {"precision", "double"}}}});
   EXPECT_EQ(c.fidelity.symmetry, Symmetry::none);
-  EXPECT_EQ(c.fidelity.precision, Precision::twofold);
+  EXPECT_EQ(c.fidelity.precision, Precision::double_);
   EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", {{"symmetry", "none"}}}}).fidelity.symmetry,
             Symmetry::none);
-  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "transient"}, {"fidelity", {{"precision", "double"}}}}).fidelity.precision,
-            Precision::twofold);
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "transient"}, {"fidelity", {{"precision", "double"}}}})
+                .fidelity.precision,
+            Precision::double_);
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fidelity", {{"scheme", "paper"}, {"precision", "double"}}}}),
               ElementsAre("/fidelity/precision"));
   EXPECT_THAT(faulty_pointers({{"Ca", 0.1}, {"fluid", "transient"}, {"fidelity", {{"symmetry", "none"}}}}),

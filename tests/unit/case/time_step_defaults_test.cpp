@@ -16,8 +16,10 @@ Case on_lattice(const std::string& keys, const std::string& fidelity = R"("fast"
 TEST(TimeStepDefaults, StiffMembranesOnALatticeTakeTheStepperThatMeasuresTheStiffness) {
   for (const char* keys :
        {R"("Ca": 0.1, "E_b": 1)", R"("Ca": 0.1, "law": "skalak", "C": 10, "shape": "prolate", "aspect": 4)",
-        R"("Ca": 0.02, "law": "skalak", "C": 10, "shape": "prolate", "aspect": 5)", R"("Ca": 0.001, "law": "skalak", "C": 1000)",
-        R"("Ca": 0.1, "E_b": 0.1, "shape": "prolate", "aspect": 5)", R"("Ca": 0.05, "E_b": 0.1, "shape": "oblate", "aspect": 0.2)"})
+        R"("Ca": 0.02, "law": "skalak", "C": 10, "shape": "prolate", "aspect": 5)",
+        R"("Ca": 0.001, "law": "skalak", "C": 1000)",
+        R"("Ca": 0.1, "E_b": 0.1, "shape": "prolate", "aspect": 5)",
+        R"("Ca": 0.05, "E_b": 0.1, "shape": "oblate", "aspect": 0.2)"})
     for (const char* fidelity : {R"("fast")", R"({"dx": 0.1, "nodes": 2562})"}) {
       const Case c = on_lattice(keys, fidelity);
       EXPECT_EQ(c.fidelity.stepper, Stepper::runge_kutta_chebyshev) << keys << fidelity;
@@ -43,12 +45,14 @@ TEST(TimeStepDefaults, ThePapersCasesKeepTheirStepsAndAb2) {
 }
 
 TEST(TimeStepDefaults, AWishForAb2GetsAStepThatIsStable) {
-  for (const char* fidelity : {R"({"preset": "fast", "stepper": "ab2"})", R"({"scheme": "paper", "stepper": "ab2"})"}) {
+  for (const char* fidelity :
+       {R"({"preset": "fast", "stepper": "ab2"})", R"({"scheme": "paper", "stepper": "ab2"})"}) {
     const Case c = on_lattice(R"("Ca": 0.1, "E_b": 1)", fidelity);
     EXPECT_EQ(c.fidelity.stepper, Stepper::adams_bashforth);
     EXPECT_LT(c.fidelity.kdt * fastest_decay(c), 0.7);
   }
-  const Case stokes = parsed_case(R"({"Ca": 0.1, "E_b": 1, "fluid": "stokes", "fidelity": {"stepper": "ab2"}})");
+  const Case stokes =
+      parsed_case(R"({"Ca": 0.1, "E_b": 1, "fluid": "stokes", "fidelity": {"stepper": "ab2"}})");
   EXPECT_LT(stokes.fidelity.kdt * fastest_decay(stokes), 0.7);
 }
 

@@ -8,10 +8,10 @@
 #include <random>
 #include <thread>
 
-#include "solver/run_directory/exit_code.hpp"
-#include "runner/store/schema.hpp"
 #include "runner/queries/why.hpp"
+#include "runner/store/schema.hpp"
 #include "solver/case/run_cost.hpp"
+#include "solver/run_directory/exit_code.hpp"
 #include "tests/support/service_fixture.hpp"
 
 namespace capstan {
@@ -117,13 +117,13 @@ TEST_F(ServiceTest, SameStudyAgainStartsNothing) {
 
 TEST_F(ServiceTest, CrashIsTriedOnceMore) {
   const std::string id = submit({{"Ca", {0.25}}});
-  executor_.end("run 1", {RunEnd::How::signalled, 11});
+  executor_.end("run 1", {ProcessEnd::How::signalled, 11});
   service_->tick();
   EXPECT_THAT(executor_.running, IsEmpty());
   clock_.advance(JobQueue::kBackOff);
   service_->tick();
   EXPECT_THAT(executor_.running, ElementsAre("run 2"));
-  executor_.end("run 2", {RunEnd::How::signalled, 11});
+  executor_.end("run 2", {ProcessEnd::How::signalled, 11});
   service_->tick();
   EXPECT_THAT(executor_.running, IsEmpty());
   EXPECT_EQ(cases(id)[0]["state"], "failed");
@@ -167,8 +167,9 @@ TEST_F(ServiceTest, RunKilledForNotStoppingIsNoCrash) {
 
 /// Before it has its handlers a process may end by the signal, or in whatever other way.
 TEST_F(ServiceTest, RunThatWasAskedToStopIsInterruptedHoweverItEnds) {
-  for (const RunEnd end : {RunEnd{RunEnd::How::signalled, 15}, RunEnd{RunEnd::How::exited, 143},
-                           RunEnd{RunEnd::How::exited, 1}, RunEnd{RunEnd::How::exited, 0}}) {
+  for (const ProcessEnd end :
+       {ProcessEnd{ProcessEnd::How::signalled, 15}, ProcessEnd{ProcessEnd::How::exited, 143},
+        ProcessEnd{ProcessEnd::How::exited, 1}, ProcessEnd{ProcessEnd::How::exited, 0}}) {
     const std::string id = submit({{"Ca", {0.25}}});
     ASSERT_THAT(executor_.running, SizeIs(1));
     service_->drain();
@@ -185,7 +186,7 @@ TEST_F(ServiceTest, CancelledRunThatEndsByTheSignalIsNoCrash) {
   const std::string id = submit({{"Ca", {0.25}}});
   service_->cancel(id);
   service_->tick();
-  executor_.end("run 1", {RunEnd::How::signalled, 15});
+  executor_.end("run 1", {ProcessEnd::How::signalled, 15});
   service_->tick();
   EXPECT_EQ(cases(id)[0]["state"], "cancelled");
   EXPECT_EQ(cases(id)[0]["crashes"], 0);
@@ -249,7 +250,7 @@ TEST_F(ServiceTest, CaseThatTakesTooLongIsAskedForACheckpointAndFails) {
   service_->tick();
   EXPECT_EQ(cases(id)[0]["state"], "running");
   ASSERT_EQ(executor_.asked_to_stop.size(), 1u);
-  executor_.end(executor_.asked_to_stop.front(), {RunEnd::How::exited, kExitInterrupted});
+  executor_.end(executor_.asked_to_stop.front(), {ProcessEnd::How::exited, kExitInterrupted});
   service_->tick();
   EXPECT_EQ(cases(id)[0]["state"], "failed");
   EXPECT_EQ(cases(id)[0]["message"], "it took longer than the limit of 3600 s");

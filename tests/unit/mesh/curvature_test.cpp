@@ -32,7 +32,10 @@ TEST(Curvature, MixedAreasSumUpToTheArea) {
 TEST(Curvature, OfASphereIsOneOverItsRadiusWithAPositiveSign) {
   const Icosphere sphere = make_icosphere(4);
   const Points x = 2 * sphere.directions;
-  EXPECT_LT((mean_curvature(sphere.mesh.faces, x, vertex_normals(x, sphere.mesh.faces)).array() - 0.5).abs().maxCoeff(), 0.01);
+  EXPECT_LT((mean_curvature(sphere.mesh.faces, x, vertex_normals(x, sphere.mesh.faces)).array() - 0.5)
+                .abs()
+                .maxCoeff(),
+            0.01);
   EXPECT_LT((fit_quadrics(sphere.mesh, x).mean.array() - 0.5).abs().maxCoeff(), 0.01);
   EXPECT_LT((fit_quadrics(sphere.mesh, x).gaussian.array() - 0.25).abs().maxCoeff(), 0.01);
 }

@@ -94,8 +94,8 @@ TEST(InitialShape, SymmetriesOfTheShearPlaneSurviveWithoutRounding) {
       return at.contains({a + 0.0, b + 0.0, d + 0.0});
     };
     for (const auto& p : x.colwise()) {
-      EXPECT_TRUE(contains(p[0], p[1], -p[2])) << word(c.shape);
-      EXPECT_TRUE(contains(-p[0], -p[1], p[2])) << word(c.shape);
+      EXPECT_TRUE(contains(p[0], p[1], -p[2])) << to_string(c.shape);
+      EXPECT_TRUE(contains(-p[0], -p[1], p[2])) << to_string(c.shape);
     }
   }
 }

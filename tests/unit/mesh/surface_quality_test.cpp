@@ -53,8 +53,10 @@ TEST(SurfaceQuality, DoesNotDependOnSizeAndPlace) {
   const Icosphere sphere = make_icosphere(2);
   const Points ellipsoid = Vec3(2, 1, 0.7).asDiagonal() * sphere.directions;
   const Points elsewhere = (1e-3 * ellipsoid).colwise() + Vec3(5, 0, 0);
-  EXPECT_NEAR(quality_of(sphere, ellipsoid).largest_dihedral, quality_of(sphere, elsewhere).largest_dihedral, 1e-8);
-  EXPECT_NEAR(quality_of(sphere, ellipsoid).smallest_angle, quality_of(sphere, elsewhere).smallest_angle, 1e-8);
+  EXPECT_NEAR(quality_of(sphere, ellipsoid).largest_dihedral, quality_of(sphere, elsewhere).largest_dihedral,
+              1e-8);
+  EXPECT_NEAR(quality_of(sphere, ellipsoid).smallest_angle, quality_of(sphere, elsewhere).smallest_angle,
+              1e-8);
 }
 
 TEST(SurfaceQuality, WorstOfTwoTakesTheWorseOfEach) {

@@ -14,15 +14,15 @@ ordered_json study_over(std::initializer_list<std::pair<const char*, ordered_jso
   return study;
 }
 
-PointMotion point_with(const nlohmann::json& asked, const std::string& motion, const std::string& state = "done") {
+PointMotion point_with(const nlohmann::json& asked, const std::string& motion,
+                       const std::string& state = "done") {
   return {asked.dump(), state, motion, asked};
 }
 
 const ordered_json kStudy = study_over({{"Ca", {0.75, 0.25}}, {"V", {2, 4}}});
-const std::vector<PointMotion> kPoints = {point_with({{"Ca", 0.25}, {"V", 2}}, "tank_treading"),
-                                          point_with({{"Ca", 0.25}, {"V", 4}}, "tumbling"),
-                                          point_with({{"Ca", 0.75}, {"V", 2}}, "", "failed"),
-                                          point_with({{"Ca", 0.75}, {"V", 4}}, "", "queued")};
+const std::vector<PointMotion> kPoints = {
+    point_with({{"Ca", 0.25}, {"V", 2}}, "tank_treading"), point_with({{"Ca", 0.25}, {"V", 4}}, "tumbling"),
+    point_with({{"Ca", 0.75}, {"V", 2}}, "", "failed"), point_with({{"Ca", 0.75}, {"V", 4}}, "", "queued")};
 
 /// Over three axes; tumbling at E_b = 0.01 alone.
 const ordered_json kThreeAxes = study_over({{"Ca", {0.25, 0.75}}, {"V", {2, 4}}, {"E_b", {0, 0.01}}});
@@ -63,11 +63,13 @@ TEST(PhaseDiagram, AxesMayBeChosen) {
 }
 
 TEST(PhaseDiagram, IsDrawnOverTheValuesThatWereAskedFor) {
-  const ordered_json study = study_over({{"fluid", {"auto", "quasisteady"}}, {"fidelity", {"fast", {{"dx", 0.2}}}}});
-  const auto diagram = phase_diagram(study, {point_with({{"fluid", "auto"}, {"fidelity", "fast"}}, "tumbling"),
-                                             point_with({{"fluid", "quasisteady"}, {"fidelity", {{"dx", 0.2}}}},
-                                                        "transition")})
-                           .value;
+  const ordered_json study =
+      study_over({{"fluid", {"auto", "quasisteady"}}, {"fidelity", {"fast", {{"dx", 0.2}}}}});
+  const auto diagram =
+      phase_diagram(study,
+                    {point_with({{"fluid", "auto"}, {"fidelity", "fast"}}, "tumbling"),
+                     point_with({{"fluid", "quasisteady"}, {"fidelity", {{"dx", 0.2}}}}, "transition")})
+          .value;
   ASSERT_TRUE(diagram);
   EXPECT_EQ(diagram->rows[0][0].motion, "tumbling");
   EXPECT_EQ(diagram->rows[1][1].motion, "transition");
@@ -95,10 +97,12 @@ TEST(PhaseDiagram, AxisThatIsNotFixedIsAFaultWithThePossibleValues) {
             "at: Ca is not fixed: say at which value, as in at=Ca=0.25; it has: 0.25, 0.75");
   EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=3"}}), "at: E_b has no value 3; it has: 0, 0.01");
   EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "E_b=0.01"}}), "at: E_b is fixed twice");
-  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "Ca=0.25"}}), "at: Ca is drawn, so it cannot be fixed");
+  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "Ca=0.25"}}),
+            "at: Ca is drawn, so it cannot be fixed");
   EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "C=1"}}),
             "at: \"C\" is no axis of the study; its axes are: Ca, V, E_b");
-  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "E_b"}}), "at: \"E_b\" must be AXIS=VALUE, as in E_b=0.015");
+  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "E_b"}}),
+            "at: \"E_b\" must be AXIS=VALUE, as in E_b=0.015");
 }
 
 TEST(PhaseDiagram, AxisOfOneValueIsFixedThereAndDrawnLast) {
@@ -117,7 +121,8 @@ TEST(PhaseDiagram, OfOneAxisHasOneRow) {
 }
 
 TEST(PhaseDiagram, IsReadBackFromItsJson) {
-  const ordered_json json = to_json(*phase_diagram(kThreeAxes, points_of_three_axes(), {"", "", {"E_b=0"}}).value);
+  const ordered_json json =
+      to_json(*phase_diagram(kThreeAxes, points_of_three_axes(), {"", "", {"E_b=0"}}).value);
   EXPECT_EQ(to_json(phase_diagram_from_json(ordered_json::parse(json.dump()))), json);
 }
 

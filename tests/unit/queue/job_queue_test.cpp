@@ -8,8 +8,8 @@
 
 #include "runner/queue/points.hpp"
 #include "runner/queue/replacement.hpp"
-#include "runner/store/schema.hpp"
 #include "runner/recording/result.hpp"
+#include "runner/store/schema.hpp"
 #include "solver/case/content_id.hpp"
 #include "tests/support/fake_clock.hpp"
 #include "tests/support/sample_studies.hpp"
@@ -403,8 +403,10 @@ TEST_F(JobQueueTest, PointsOfOneCaseAreAllKeptAndTheCaseCountsOnce) {
   EXPECT_EQ(text("SELECT asked FROM study_cases WHERE study_id = ? AND position = 4", id),
             R"({"Ca":0.2,"Re":0.05,"fluid":"stokes"})");
   const auto counts = [&] {
-    return text("SELECT points || ' ' || queued || ' ' || running || ' ' || done || ' ' || tumbling FROM schedule"
-                " WHERE study_id = ?", id);
+    return text(
+        "SELECT points || ' ' || queued || ' ' || running || ' ' || done || ' ' || tumbling FROM schedule"
+        " WHERE study_id = ?",
+        id);
   };
   EXPECT_EQ(counts(), "6 2 0 0 0");
   const auto claim = queue_.claim();
@@ -438,8 +440,9 @@ TEST_F(JobQueueTest, PointsOfAnOldStudyThatIsReadOtherwiseTodayAreThoseOfItsCase
   database_.execute("UPDATE study_cases SET asked = NULL");
   database_.execute("UPDATE studies SET document = json_set(document, '$.base.colour', 'red')");
   derive_old_points(database_);
-  EXPECT_EQ(text("SELECT json_extract(asked, '$.Ca') FROM study_cases WHERE study_id = ? AND position = 1", id),
-            "0.75");
+  EXPECT_EQ(
+      text("SELECT json_extract(asked, '$.Ca') FROM study_cases WHERE study_id = ? AND position = 1", id),
+      "0.75");
 }
 
 TEST_F(JobQueueTest, DeletedStudyIsGoneWithTheCasesThatNoOtherWants) {

@@ -17,10 +17,10 @@ class OutcomeTest : public testing::Test {
  protected:
   void write(const char* file, const std::string& text) { std::ofstream(directory_.path() / file) << text; }
   RunOutcome exited_with(int code) {
-    return outcome_of({RunEnd::How::exited, code}, RunDirectory(directory_.path()));
+    return outcome_of({ProcessEnd::How::exited, code}, RunDirectory(directory_.path()));
   }
   RunOutcome killed_by(int signal) {
-    return outcome_of({RunEnd::How::signalled, signal}, RunDirectory(directory_.path()));
+    return outcome_of({ProcessEnd::How::signalled, signal}, RunDirectory(directory_.path()));
   }
 
   TemporaryDirectory directory_;
@@ -90,7 +90,8 @@ TEST_F(OutcomeTest, ResultOfALaterFormatIsNotGuessedAt) {
 
 /// tests/reference/run_directory_1 is what a process of format 1 left.
 TEST(OldRunDirectory, CompleteOneIsRecorded) {
-  const RunOutcome outcome = outcome_of({}, RunDirectory(CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1"));
+  const RunOutcome outcome =
+      outcome_of({}, RunDirectory(CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1"));
   EXPECT_EQ(outcome.kind, Kind::done);
   EXPECT_EQ((*outcome.result)["motion"], "undecided");
   HistoryTail history(CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1/history.jsonl");

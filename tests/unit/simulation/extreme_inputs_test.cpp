@@ -57,7 +57,7 @@ void expect_a_step_or_a_reason(const Case& c, const json& object) {
   Simulation simulation(c);
   const Outcome outcome = simulation.run(output);
   const bool went_on = outcome.stop == Stop::interrupted || outcome.stop == Stop::reached_end;
-  EXPECT_TRUE(went_on || outcome.message.size() > 20) << object << word(outcome.stop);
+  EXPECT_TRUE(went_on || outcome.message.size() > 20) << object << to_string(outcome.stop);
   if (went_on) {
     EXPECT_EQ(simulation.statistics().steps, 1) << object;
   }

@@ -34,7 +34,8 @@ Vec3 exact(double kt) { return {std::sin(kt), std::cos(kt), std::cos(kt)}; }
 TEST(RungeKuttaChebyshev, IsOfSecondOrder) {
   const auto error = [](double step) {
     return (run(RungeKuttaChebyshev({.tolerance = 1, .largest_step = step}), circle_and_decay(1), 1).col(0) -
-            exact(1)).norm();
+            exact(1))
+        .norm();
   };
   // it starts with a tenth of the largest step, so that the error of a step is not known beforehand
   EXPECT_NEAR(std::log2(error(0.05) / error(0.025)), 2, 0.35);
@@ -51,11 +52,14 @@ TEST(RungeKuttaChebyshev, ToleranceBoundsTheErrorOfAStiffProblem) {
 TEST(RungeKuttaChebyshev, SpendsFlowsWithTheRootOfTheStiffness) {
   const auto flows = [](double rate) {
     int calls = 0;
-    run(RungeKuttaChebyshev(), [&](double, const Points& x, Points& u) -> FlowReport {
-      ++calls;
-      u << x(1), -x(0), -rate * (x(2) - x(0) / rate);
-      return {.iterations = 1};
-    }, 4);
+    run(
+        RungeKuttaChebyshev(),
+        [&](double, const Points& x, Points& u) -> FlowReport {
+          ++calls;
+          u << x(1), -x(0), -rate * (x(2) - x(0) / rate);
+          return {.iterations = 1};
+        },
+        4);
     return calls;
   };
   EXPECT_LT(flows(16000), 6 * flows(1000));  // explicit Euler would need 16 times as many

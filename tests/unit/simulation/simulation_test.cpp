@@ -206,7 +206,8 @@ TEST(Result, OfACrumpledSphereWarnsAndHasNoLabel) {
   EXPECT_NEAR(surface["lost_from"], 7.5, 1);
   EXPECT_THAT(result["trust"]["warnings"].at(0).get<std::string>(),
               AllOf(HasSubstr("not smooth on this mesh"), HasSubstr("E_b"), HasSubstr("more nodes")));
-  EXPECT_THAT(result["trust"]["warnings"].at(1).get<std::string>(), HasSubstr("triangles of the mesh have collapsed"));
+  EXPECT_THAT(result["trust"]["warnings"].at(1).get<std::string>(),
+              HasSubstr("triangles of the mesh have collapsed"));
   EXPECT_EQ(result["motion"], "undecided");
   EXPECT_EQ(result["evidence"]["margin"], 0);
   EXPECT_THAT(result["explanation"].get<std::string>(), HasSubstr("cannot represent the surface"));

@@ -164,7 +164,8 @@ TEST(Study, KeyThatAPointNeedsMustBeThere) {
 }
 
 TEST(Study, FaultyAxisMakesNoOtherKeyUseless) {
-  EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1, "C": 5})", R"({"law": "skalak"})")), ElementsAre("/axes/law"));
+  EXPECT_THAT(faults_of(conditional(R"({"Ca": 0.1, "C": 5})", R"({"law": "skalak"})")),
+              ElementsAre("/axes/law"));
 }
 
 TEST(Study, FaultyValueOfAnAxisMakesNoOtherKeyUseless) {

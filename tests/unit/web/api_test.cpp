@@ -278,16 +278,19 @@ TEST_F(ApiTest, PointSaysWhichOfItsKeysHaveNoEffect) {
 }
 
 TEST_F(ApiTest, FilterTellsCloseValuesOfAnAxisApart) {
-  const std::string id = json(ask("POST", "/v1/studies", study_document("close", {{"Ca", {0.1}},
-      {"V", {{"from", 1}, {"to", 1.00000000001}, {"count", 11}}}}).dump()))["id"];
+  const std::string id = json(
+      ask("POST", "/v1/studies",
+          study_document("close", {{"Ca", {0.1}}, {"V", {{"from", 1}, {"to", 1.00000000001}, {"count", 11}}}})
+              .dump()))["id"];
   const ordered_json points = json(get("/v1/studies/" + id + "/cases", {{"V", "1.000000000003"}}))["cases"];
   ASSERT_THAT(points, SizeIs(1));
   EXPECT_EQ(points[0]["point"], 4);
 }
 
 TEST_F(ApiTest, ThirdAxisOfAPhaseDiagramIsFixed) {
-  const std::string id = json(ask("POST", "/v1/studies",
-      study_document("three", {{"Ca", {0.1, 0.2}}, {"V", {1, 2}}, {"E_b", {0, 0.01}}}).dump()))["id"];
+  const std::string id = json(
+      ask("POST", "/v1/studies",
+          study_document("three", {{"Ca", {0.1, 0.2}}, {"V", {1, 2}}, {"E_b", {0, 0.01}}}).dump()))["id"];
   const std::string path = "/v1/studies/" + id + "/phase-diagram";
   const Response refusal = get(path);
   EXPECT_EQ(refusal.status, 400);

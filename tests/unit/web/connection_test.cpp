@@ -94,9 +94,9 @@ TEST(ConnectionQueue, LetsShortRequestsPassStudiesWhileManyAreUnderWay) {
   const std::string study = request_text("POST", "/v1/studies", "", "{\"a\": 1}");
   ConnectionQueue queue;
   std::vector<std::unique_ptr<Connection>> under_way;
-  for (int i = 0; i <= ConnectionQueue::kMostBodies; ++i) queue.push(complete(study));
+  for (int i = 0; i <= ConnectionQueue::kMaxBodies; ++i) queue.push(complete(study));
   queue.push(complete(request_text("GET", "/healthz")));
-  for (int i = 0; i < ConnectionQueue::kMostBodies; ++i) under_way.push_back(queue.pop());
+  for (int i = 0; i < ConnectionQueue::kMaxBodies; ++i) under_way.push_back(queue.pop());
   for (const auto& each : under_way) EXPECT_EQ(each->head().method, "POST");
   EXPECT_EQ(queue.pop()->head().method, "GET");
   queue.was_answered(*under_way.back());

@@ -6,12 +6,12 @@
 #include <random>
 #include <vector>
 
-#include "tests/support/tuned_rates.hpp"
+#include "tests/support/quasisteady_rates.hpp"
 
 namespace capstan {
 namespace {
 
-using testing::kTunedRates;
+using testing::kQuasisteadyRates;
 
 using namespace d3q19;
 using Cell = std::array<double, kQ>;
@@ -105,7 +105,7 @@ constexpr MrtRates kRatesOfTheirOwn = {1.1, 1.2, 1.3, 1.4, 1.5, 0.3, -0.7, -0.2}
 
 TEST(Collision, EqualsTheMatrixFormOfThePaper) {
   const std::array<double, 3> force = {0.01, -0.02, 0.03};
-  for (const MrtRates& rates : {kPaperRates, kTunedRates, kRatesOfTheirOwn}) {
+  for (const MrtRates& rates : {kPaperRates, kQuasisteadyRates, kRatesOfTheirOwn}) {
     const Cell f = random_cell(1);
     const Cell expected = collided_by_matrices(f, 1.3, force, rates, 2);
     const Cell found = collided(f, 1.3, force, rates, 2), in_float = collided<float>(f, 1.3, force, rates, 2);
@@ -156,7 +156,7 @@ TEST(Collision, ConservesMassAndAddsTheForceToTheMomentum) {
 TEST(Collision, LeavesTheRestStateWithExcessDensityAlone) {
   Cell f{};
   for (int q = 0; q < kQ; ++q) f[q] = 0.1 * weight(q);
-  const Cell after = collided(f, 1.1, {0, 0, 0}, kTunedRates, 1);
+  const Cell after = collided(f, 1.1, {0, 0, 0}, kQuasisteadyRates, 1);
   for (int q = 0; q < kQ; ++q) EXPECT_NEAR(after[q], f[q], 1e-16);
 }
 

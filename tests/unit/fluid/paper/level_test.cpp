@@ -6,15 +6,15 @@
 #include <numbers>
 
 #include "tests/support/lattice_scene.hpp"
-#include "tests/support/tuned_rates.hpp"
+#include "tests/support/quasisteady_rates.hpp"
 
 namespace capstan {
 namespace {
 
-using testing::kTunedRates;
+using testing::kQuasisteadyRates;
 
 LevelSettings tuned(double nu_lu, double wall_speed) {
-  return {.rates = kTunedRates, .nu_lu = nu_lu, .wall_speed = wall_speed, .gamma = 0.8};
+  return {.rates = kQuasisteadyRates, .nu_lu = nu_lu, .wall_speed = wall_speed, .gamma = 0.8};
 }
 
 VectorBox all_velocities(const Level& level) {
@@ -25,7 +25,7 @@ VectorBox all_velocities(const Level& level) {
 }
 
 TEST(Level, CouetteFlowIsAnExactSteadyState) {
-  for (const MrtRates& rates : {kPaperRates, kTunedRates}) {
+  for (const MrtRates& rates : {kPaperRates, kQuasisteadyRates}) {
     LevelSettings settings = tuned(0.1, 0.01);
     settings.rates = rates;
     settings.inertia = 0;

@@ -33,7 +33,7 @@ constexpr CompositeOptions kOptions{.dx = 0.2, .box = 12.8, .Re = 0.05, .V = 4, 
 
 template <class T>
 Points velocities(const RedCell& cell, Orbits orbits, const CompositeOptions& options) {
-  CompositeLbm<T> flow(cell.sphere.mesh, std::move(orbits), options);
+  QuasisteadyFlow<T> flow(cell.sphere.mesh, std::move(orbits), options);
   Points u;
   const FlowReport report = flow.solve(0, cell.positions, cell.forces, u);
   EXPECT_TRUE(report.converged) << report.fault;
@@ -43,7 +43,7 @@ Points velocities(const RedCell& cell, Orbits orbits, const CompositeOptions& op
 double difference(const Points& a, const Points& b) { return (a - b).norm() / b.norm(); }
 
 // Measured: 3e-4.
-TEST(CompositeLbm, GivesTheVelocitiesOfTheUniformGridToOnePartInAThousand) {
+TEST(QuasisteadyFlow, GivesTheVelocitiesOfTheUniformGridToOnePartInAThousand) {
   const RedCell cell;
   CompositeOptions uniform = kOptions;
   uniform.is_uniform = true;
@@ -58,13 +58,13 @@ TEST(CompositeLbm, GivesTheVelocitiesOfTheUniformGridToOnePartInAThousand) {
 }
 
 // Such a box has interpolated sides in y and z, and none in x.
-TEST(CompositeLbm, BoxThatGoesAroundTheDomainInXAloneConvergesToTheUniformGridsVelocities) {
+TEST(QuasisteadyFlow, BoxThatGoesAroundTheDomainInXAloneConvergesToTheUniformGridsVelocities) {
   RedCell cell;
   cell.positions.row(0) *= 2.6 / cell.positions.row(0).maxCoeff();
   CompositeOptions composite = kOptions, uniform = kOptions;
   composite.box = uniform.box = 9.6, composite.tolerance = 1e-9;
   uniform.is_uniform = true;
-  CompositeLbm<double> flow(cell.sphere.mesh, cell.symmetric(), composite);
+  QuasisteadyFlow<double> flow(cell.sphere.mesh, cell.symmetric(), composite);
   Points u;
   EXPECT_TRUE(flow.solve(0, cell.positions, cell.forces, u).converged);
   const int across = int(std::lround(composite.box / composite.dx));
@@ -75,14 +75,14 @@ TEST(CompositeLbm, BoxThatGoesAroundTheDomainInXAloneConvergesToTheUniformGridsV
   EXPECT_LT(difference(u, velocities<double>(cell, cell.symmetric(), uniform)), 1e-3);
 }
 
-TEST(CompositeLbm, OfAQuarterIsThatOfTheWhole) {
+TEST(QuasisteadyFlow, OfAQuarterIsThatOfTheWhole) {
   const RedCell cell;
   EXPECT_LT(difference(velocities<double>(cell, cell.symmetric(), kOptions),
                        velocities<double>(cell, cell.whole(), kOptions)),
             1e-6);
 }
 
-TEST(CompositeLbm, InSinglePrecisionIsExactToOnePartInTenThousand) {
+TEST(QuasisteadyFlow, InSinglePrecisionIsExactToOnePartInTenThousand) {
   const RedCell cell;
   CompositeOptions options = kOptions;
   options.tolerance = 1e-5;
@@ -91,7 +91,7 @@ TEST(CompositeLbm, InSinglePrecisionIsExactToOnePartInTenThousand) {
             1e-4);
 }
 
-TEST(CompositeLbm, DoesNotDependOnTheNumberOfThreads) {
+TEST(QuasisteadyFlow, DoesNotDependOnTheNumberOfThreads) {
   const RedCell cell;
   omp_set_num_threads(1);
   const Points alone = velocities<float>(cell, cell.whole(), {.dx = 0.2, .V = 4});
@@ -108,7 +108,7 @@ std::vector<double> errors_of_cycles(double V, double dx) {
   options.V = V, options.dx = dx, options.Re = 0;
   const Points exact = velocities<double>(cell, cell.symmetric(), options);
   options.tolerance = 1e300;  // each solve is one cycle, and at the same time the next goes on where it stood
-  CompositeLbm<double> flow(cell.sphere.mesh, cell.symmetric(), options);
+  QuasisteadyFlow<double> flow(cell.sphere.mesh, cell.symmetric(), options);
   Points u = Points::Zero(3, exact.cols());
   u.row(0) = cell.positions.row(1);
   std::vector<double> errors = {difference(u, exact)};
@@ -123,7 +123,7 @@ double first_contraction(const std::vector<double>& errors) { return errors[1] /
 double mean_contraction(const std::vector<double>& errors) { return std::pow(errors[5] / errors[0], 1. / 5); }
 
 // Measured: first 0.12, 0.09, 0.12 at V = 1, 4, 10, mean 0.31, 0.19, 0.24.
-TEST(CompositeLbm, FirstCycleLeavesFifteenPercentOfTheErrorAndLaterOnesAThirdOnEveryGrid) {
+TEST(QuasisteadyFlow, FirstCycleLeavesFifteenPercentOfTheErrorAndLaterOnesAThirdOnEveryGrid) {
   for (double V : {1.0, 4.0, 10.0})
     for (double dx : {0.2, 0.1}) {
       const auto errors = errors_of_cycles(V, dx);
@@ -133,14 +133,14 @@ TEST(CompositeLbm, FirstCycleLeavesFifteenPercentOfTheErrorAndLaterOnesAThirdOnE
 }
 
 // Measured: first 0.42, mean 0.60. Where the inner fluid is thin, its own sweeps smooth little.
-TEST(CompositeLbm, CyclesContractByTwoThirdsOrBetterWhereTheInnerFluidIsTenTimesThinner) {
+TEST(QuasisteadyFlow, CyclesContractByTwoThirdsOrBetterWhereTheInnerFluidIsTenTimesThinner) {
   for (double dx : {0.2, 0.1}) EXPECT_LT(mean_contraction(errors_of_cycles(0.1, dx)), 0.67) << "dx = " << dx;
 }
 
-TEST(CompositeLbm, LosesTheFlowOfACapsuleOutsideOfTheDomainWithAWord) {
+TEST(QuasisteadyFlow, LosesTheFlowOfACapsuleOutsideOfTheDomainWithAWord) {
   RedCell cell;
   cell.positions.row(1).array() += 6.2;
-  CompositeLbm<float> flow(cell.sphere.mesh, cell.whole(), {.dx = 0.2});
+  QuasisteadyFlow<float> flow(cell.sphere.mesh, cell.whole(), {.dx = 0.2});
   Points u;
   const FlowReport report = flow.solve(0, cell.positions, cell.forces, u);
   EXPECT_FALSE(report.converged);

@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "solver/grid/row_field.hpp"
 #include "solver/fluid/paper/level.hpp"
+#include "solver/grid/row_field.hpp"
 
 namespace capstan {
 namespace {

@@ -1,5 +1,5 @@
-// Single and double layer against their eigenfunctions on the unit sphere (Kim and Karrila 1991, chapter 4), and what they
-// must keep on surfaces that are not spheres.
+// Single and double layer against their eigenfunctions on the unit sphere (Kim and Karrila 1991, chapter 4),
+// and what they must keep on surfaces that are not spheres.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -28,8 +28,12 @@ struct Operators {
         close(neighbourhood.close_faces(surface)) {}
 
   /// Velocity of a density of force per area.
-  Points single_layer(const Points& density) const { return of_forces(density * surface.vertex_areas.asDiagonal()); }
-  Points of_forces(const Points& forces) const { return capstan::single_layer(surface, neighbourhood, close, forces); }
+  Points single_layer(const Points& density) const {
+    return of_forces(density * surface.vertex_areas.asDiagonal());
+  }
+  Points of_forces(const Points& forces) const {
+    return capstan::single_layer(surface, neighbourhood, close, forces);
+  }
   Points double_layer(const Points& velocities) const {
     return DoubleLayer(surface, neighbourhood, close).apply(velocities);
   }
@@ -56,7 +60,8 @@ Eigen::Matrix3d a_strain() {
 
 double relative_difference(const Points& a, const Points& b) { return (a - b).norm() / b.norm(); }
 
-// The traction a rigid sphere feels: 3/2 U in translation, 3 W x in rotation, 5 E x in a strain (viscosity, radius 1).
+// The traction a rigid sphere feels: 3/2 U in translation, 3 W x in rotation, 5 E x in a strain (viscosity,
+// radius 1).
 TEST(SingleLayer, HasTheEigenvaluesOfTheSphere) {
   const Icosphere sphere = make_icosphere(3);
   const Operators on = sphere_of(sphere);
@@ -93,7 +98,7 @@ double smallest_eigenvalue(const Operators& on) {
   for (Eigen::Index n = 0; n < size; ++n)
     matrix.col(n) = on.of_forces(Eigen::VectorXd::Unit(size, n).reshaped(3, size / 3)).reshaped();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (matrix + matrix.transpose()),
-                                                             Eigen::EigenvaluesOnly);
+                                                              Eigen::EigenvaluesOnly);
   return solver.eigenvalues().minCoeff() / solver.eigenvalues().mean();
 }
 
@@ -135,9 +140,11 @@ TEST(CloseFaces, FlowBetweenSheetsThatNearlyTouchIsThatOfAFinerMesh) {
   const Operators on_fine(fine.mesh, pinched(fine.directions, 0.3));
   const Points coarse_field = a_strain() * on_coarse.positions, fine_field = a_strain() * on_fine.positions;
   EXPECT_LT(relative_difference(on_coarse.single_layer(coarse_field),
-                                on_fine.single_layer(fine_field).leftCols(642)), 0.02);
+                                on_fine.single_layer(fine_field).leftCols(642)),
+            0.02);
   EXPECT_LT(relative_difference(on_coarse.double_layer(coarse_field),
-                                on_fine.double_layer(fine_field).leftCols(642)), 0.05);
+                                on_fine.double_layer(fine_field).leftCols(642)),
+            0.05);
 }
 
 }  // namespace

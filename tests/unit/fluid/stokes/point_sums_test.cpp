@@ -64,12 +64,12 @@ TEST(PointSums, ASourceOnTheTargetCountsForNothing) {
   cloud.x = cloud.x.cast<float>().cast<double>();
   const Vec3 x0 = cloud.x.col(5), u0 = cloud.u.col(5).cast<float>().cast<double>();
   const auto single = sum_stokeslets(array_of(cloud.x), array_of(cloud.f), x0.cast<float>());
-  const auto twofold = sum_stresslets(array_of(cloud.x), array_of(cloud.f), array_of(cloud.u),
+  const auto double_ = sum_stresslets(array_of(cloud.x), array_of(cloud.f), array_of(cloud.u),
                                       x0.cast<float>(), u0.cast<float>());
   const Vec3 exact_single = stokeslets_in_double(cloud, x0),
-             exact_twofold = stresslets_in_double(cloud, x0, u0);
+             exact_in_double = stresslets_in_double(cloud, x0, u0);
   EXPECT_LT((single.cast<double>() - exact_single).norm(), 1e-5 * exact_single.norm());
-  EXPECT_LT((twofold.cast<double>() - exact_twofold).norm(), 1e-4 * exact_twofold.norm());
+  EXPECT_LT((double_.cast<double>() - exact_in_double).norm(), 1e-4 * exact_in_double.norm());
 }
 
 Components components(const PointArray& array) { return {array.x(), array.y(), array.z()}; }
@@ -82,14 +82,15 @@ TEST(PointSums, EveryVectorUnitGivesThoseOfDoublePrecision) {
   const PointArray x = array_of(cloud.x), f = array_of(cloud.f), u = array_of(cloud.u);
   const Eigen::Vector3f at = x0.cast<float>(), with = u0.cast<float>();
   const Vec3 exact_single = stokeslets_in_double(cloud, x0),
-             exact_twofold = stresslets_in_double(cloud, x0, u0);
+             exact_in_double = stresslets_in_double(cloud, x0, u0);
   for (const PointLoops* loops : supported_point_loops()) {
-    Eigen::Vector3f single, twofold;
+    Eigen::Vector3f single, double_;
     loops->stokeslets(x.padded_size(), components(x), components(f), at.data(), single.data());
     loops->stresslets(x.padded_size(), components(x), components(f), components(u), at.data(), with.data(),
-                      twofold.data());
+                      double_.data());
     EXPECT_LT((single.cast<double>() - exact_single).norm(), 1e-5 * exact_single.norm()) << loops->unit;
-    EXPECT_LT((twofold.cast<double>() - exact_twofold).norm(), 1e-4 * exact_twofold.norm()) << loops->unit;
+    EXPECT_LT((double_.cast<double>() - exact_in_double).norm(), 1e-4 * exact_in_double.norm())
+        << loops->unit;
   }
 }
 

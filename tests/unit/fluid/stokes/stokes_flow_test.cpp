@@ -16,13 +16,16 @@ Points solved(StokesFlow flow, const Points& positions, const Points& forces) {
 }
 
 StokesFlow flow_around(const TriangleMesh& mesh, const Points& positions, double V, Orbits orbits) {
-  return {mesh, std::move(orbits), {.viscosity_ratio = V, .volume = volume(positions, mesh.faces), .tolerance = 1e-6}};
+  return {mesh,
+          std::move(orbits),
+          {.viscosity_ratio = V, .volume = volume(positions, mesh.faces), .tolerance = 1e-6}};
 }
 StokesFlow flow_around(const TriangleMesh& mesh, const Points& positions, double V) {
   return flow_around(mesh, positions, V, Orbits::of(positions));
 }
 
-/// The part of velocities on the unit sphere that is a strain in the plane of shear: the mean of u_x / y and u_y / x.
+/// The part of velocities on the unit sphere that is a strain in the plane of shear: the mean of u_x / y and
+/// u_y / x.
 double strain_rate(const Points& directions, const Points& velocities) {
   const auto x = directions.row(0), y = directions.row(1);
   return (velocities.row(0).dot(y) + velocities.row(1).dot(x)) / (x.squaredNorm() + y.squaredNorm());
@@ -30,11 +33,13 @@ double strain_rate(const Points& directions, const Points& velocities) {
 
 class Drop : public ::testing::TestWithParam<double> {};
 
-// Taylor 1932: the strain of a sphere's surface is 5/(2V + 3) of that of the shear flow, 1/2; it turns with 1/2.
+// Taylor 1932: the strain of a sphere's surface is 5/(2V + 3) of that of the shear flow, 1/2; it turns with
+// 1/2.
 TEST_P(Drop, WithoutTensionStrainsAsTaylorsSolution) {
   const double V = GetParam();
   const Icosphere sphere = make_icosphere(3);
-  const Points u = solved(flow_around(sphere.mesh, sphere.directions, V), sphere.directions, Points::Zero(3, 642));
+  const Points u =
+      solved(flow_around(sphere.mesh, sphere.directions, V), sphere.directions, Points::Zero(3, 642));
   EXPECT_NEAR(strain_rate(sphere.directions, u) / (0.5 * 5 / (2 * V + 3)), 1, 0.015);
 }
 INSTANTIATE_TEST_SUITE_P(V, Drop, ::testing::Values(0.1, 1, 5, 20));
@@ -45,7 +50,8 @@ TEST(StokesFlow, AUniformForceMovesTheSphereAsStokesLaw) {
   Points at_rest = sphere.directions;
   const Vec3 force(0, 0, 2);
   const Points forces = force / (4 * std::numbers::pi) * vertex_areas(at_rest, sphere.mesh.faces).transpose();
-  const Points u = solved(flow_around(sphere.mesh, at_rest, 1, Orbits::without_symmetry(642)), at_rest, forces);
+  const Points u =
+      solved(flow_around(sphere.mesh, at_rest, 1, Orbits::without_symmetry(642)), at_rest, forces);
   EXPECT_NEAR(u.row(2).mean() * 6 * std::numbers::pi / force.z(), 1, 0.01);
 }
 
@@ -82,7 +88,8 @@ TEST(StokesFlow, AQuarterKnowsTheWholeFlow) {
 TEST(StokesFlow, ADriftOfTheVolumeDecaysAtTheRateTen) {
   const Icosphere sphere = make_icosphere(3);
   const Points swollen = 1.01 * sphere.directions;
-  const double wished = volume(sphere.directions, sphere.mesh.faces), drift = volume(swollen, sphere.mesh.faces) - wished;
+  const double wished = volume(sphere.directions, sphere.mesh.faces),
+               drift = volume(swollen, sphere.mesh.faces) - wished;
   StokesFlow flow(sphere.mesh, Orbits::of(swollen), {.viscosity_ratio = 3, .volume = wished});
   const Points u = solved(std::move(flow), swollen, Points::Zero(3, 642));
   const double rate = u.cwiseProduct(vertex_area_vectors(swollen, sphere.mesh.faces)).sum();

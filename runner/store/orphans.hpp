@@ -2,8 +2,8 @@
 // Run directories that belong to no case: the database is older than they are.
 #include <vector>
 
-#include "solver/run_directory/run_directory.hpp"
 #include "runner/store/database.hpp"
+#include "solver/run_directory/run_directory.hpp"
 
 namespace capstan {
 

@@ -1,4 +1,4 @@
-#include "runner/daemon/orphans.hpp"
+#include "runner/store/orphans.hpp"
 
 namespace capstan {
 namespace {

@@ -1,4 +1,4 @@
-#include "runner/cli/input_file.hpp"
+#include "runner/study/input_file.hpp"
 
 #include <cerrno>
 #include <fstream>

@@ -1,0 +1,23 @@
+# capstan_test_program(NAME [RUNS PROGRAM] LINKS LIBRARY... SOURCES FILE...)
+#   A program of the tests. It may run the target PROGRAM as a process: its path is CAPSTAN_PROGRAM.
+function(capstan_test_program name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "RUNS" "LINKS;SOURCES")
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINKS} GTest::gmock capstan_warnings)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_definitions(${name} PRIVATE CAPSTAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(arg_RUNS)
+    target_compile_definitions(${name} PRIVATE CAPSTAN_PROGRAM="$<TARGET_FILE:${arg_RUNS}>")
+    add_dependencies(${name} ${arg_RUNS})
+  endif()
+endfunction()
+
+# capstan_test(NAME LABEL LABEL [RUNS PROGRAM] LINKS LIBRARY... SOURCES FILE...)
+#   The same, with GoogleTest's main; CTest knows each of its tests, under the label.
+function(capstan_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "")
+  capstan_test_program(${name} ${arg_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE GTest::gmock_main)
+  gtest_discover_tests(${name} PROPERTIES LABELS ${arg_LABEL}
+    ENVIRONMENT LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/support/lsan_suppressions.txt)
+endfunction()
