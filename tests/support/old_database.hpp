@@ -7,12 +7,13 @@
 #include <filesystem>
 
 #include "tests/support/file_bytes.hpp"
+#include "tests/support/source_directory.hpp"
 
 namespace capstan {
 
 /// \param changed  SQL, for what it might have held besides
 inline void make_old_database(const std::filesystem::path& file, const std::string& changed = "") {
-  const std::string sql = file_bytes(CAPSTAN_SOURCE_DIR "/tests/reference/queue_format_1.sql");
+  const std::string sql = file_bytes(source_directory() / "tests/reference/queue_format_1.sql");
   sqlite3* old = nullptr;
   sqlite3_open(file.c_str(), &old);
   EXPECT_EQ(

@@ -10,6 +10,7 @@
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/small_disk.hpp"
 #include "tests/support/solve_process.hpp"
+#include "tests/support/source_directory.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace capstan {
@@ -192,7 +193,7 @@ TEST_F(SolveOnASmallDisk, FullOneEndsTheRunAndItGoesOnWhenThereIsRoom) {
 /// tests/reference/run_directory_1 is what a process of format 1 and numerics version 1 left.
 class OldRunDirectory : public SolveTest {
  protected:
-  const fs::path kept_ = CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1";
+  const fs::path kept_ = source_directory() / "tests/reference/run_directory_1";
 };
 
 TEST_F(OldRunDirectory, UnfinishedOneIsResumed) {

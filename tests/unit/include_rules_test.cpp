@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/source_directory.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,7 +53,7 @@ std::vector<Include> includes_of(const fs::path& root, const fs::path& file) {
 /// Every include of a file of ours by a file of ours.
 const std::vector<Include>& all_includes() {
   static const std::vector<Include> all = [] {
-    const fs::path root = CAPSTAN_SOURCE_DIR;
+    const fs::path root = capstan::source_directory();
     std::vector<Include> found;
     for (const char* part : {"solver", "runner"})
       for (const auto& entry : fs::recursive_directory_iterator(root / part))
@@ -66,7 +68,7 @@ TEST(Includes, AreFoundAtAll) { EXPECT_GT(all_includes().size(), 50u); }
 
 TEST(Includes, NameTheirFileFromTheTopOfTheTree) {
   for (const auto& [from, to] : all_includes())
-    EXPECT_TRUE(fs::exists(fs::path(CAPSTAN_SOURCE_DIR) / to)) << from << " includes " << to;
+    EXPECT_TRUE(fs::exists(capstan::source_directory() / to)) << from << " includes " << to;
 }
 
 TEST(Includes, PointDownwards) {

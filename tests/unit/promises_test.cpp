@@ -7,6 +7,8 @@
 #include <regex>
 #include <string>
 
+#include "tests/support/source_directory.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -19,13 +21,13 @@ std::string text_of(const fs::path& file) {
 /// "TEST_F(Suite, Name)" of all tests, without the macro.
 std::string all_tests() {
   std::string all;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CAPSTAN_SOURCE_DIR) / "tests"))
+  for (const auto& entry : fs::recursive_directory_iterator(capstan::source_directory() / "tests"))
     if (entry.path().extension() == ".cpp") all += text_of(entry.path());
   return all;
 }
 
 TEST(Promises, NameTestsThatExist) {
-  const std::string readme = text_of(fs::path(CAPSTAN_SOURCE_DIR) / "README.md");
+  const std::string readme = text_of(capstan::source_directory() / "README.md");
   const std::size_t begin = readme.find("## What the queue promises");
   ASSERT_NE(begin, std::string::npos);
   const std::string section = readme.substr(begin, readme.find("\n## ", begin) - begin);

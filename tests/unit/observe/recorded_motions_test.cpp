@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "solver/observe/classify.hpp"
+#include "tests/support/source_directory.hpp"
 
 namespace capstan {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 
 MotionSamples recorded(const std::string& name) {
-  std::ifstream file(std::string(CAPSTAN_SOURCE_DIR "/tests/reference/motions/") + name + ".csv");
+  std::ifstream file(source_directory() / "tests/reference/motions" / (std::string(name) + ".csv"));
   EXPECT_TRUE(file) << name;
   MotionSamples samples;
   for (std::string line; std::getline(file, line);) {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "runner/recording/history.hpp"
+#include "tests/support/source_directory.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace capstan {
@@ -91,10 +92,10 @@ TEST_F(OutcomeTest, ResultOfALaterFormatIsNotGuessedAt) {
 /// tests/reference/run_directory_1 is what a process of format 1 left.
 TEST(OldRunDirectory, CompleteOneIsRecorded) {
   const RunOutcome outcome =
-      outcome_of({}, RunDirectory(CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1"));
+      outcome_of({}, RunDirectory(source_directory() / "tests/reference/run_directory_1"));
   EXPECT_EQ(outcome.kind, Kind::done);
   EXPECT_EQ((*outcome.result)["motion"], "undecided");
-  HistoryTail history(CAPSTAN_SOURCE_DIR "/tests/reference/run_directory_1/history.jsonl");
+  HistoryTail history(source_directory() / "tests/reference/run_directory_1/history.jsonl");
   EXPECT_EQ(history.read_new().size(), 11u);
 }
 

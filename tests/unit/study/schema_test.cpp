@@ -7,6 +7,7 @@
 #include <set>
 
 #include "runner/study/study.hpp"
+#include "tests/support/source_directory.hpp"
 
 namespace capstan {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 json schema(const std::string& name) {
-  return json::parse(std::ifstream(std::string(CAPSTAN_SOURCE_DIR) + "/schema/" + name + ".schema.json"));
+  return json::parse(std::ifstream(source_directory() / "schema" / (std::string(name) + ".schema.json")));
 }
 
 std::set<std::string> keys(const json& object) {
@@ -125,8 +126,7 @@ TEST(Schema, StudyHasTheKeysOfTheCode) {
 }
 
 TEST(Schema, EveryStudyOfTheRepositoryIsValid) {
-  for (const auto& folder :
-       std::filesystem::directory_iterator(std::string(CAPSTAN_SOURCE_DIR) + "/studies")) {
+  for (const auto& folder : std::filesystem::directory_iterator(source_directory() / "studies")) {
     const std::filesystem::path file = folder.path() / "study.json";
     if (!std::filesystem::exists(file)) continue;
     const ParsedStudy parsed = parse_study(json::parse(std::ifstream(file)));
