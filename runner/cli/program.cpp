@@ -16,12 +16,12 @@
 #include "runner/cli/standard_output.hpp"
 #include "runner/cli/study_file.hpp"
 #include "runner/cli/usage_error.hpp"
-#include "runner/daemon/local_executor.hpp"
 #include "runner/render/bench_report.hpp"
 #include "runner/render/printable.hpp"
 #include "runner/study/input_file.hpp"
 #include "solver/case/content_id.hpp"
 #include "solver/run_directory/exit_code.hpp"
+#include "solver/run_directory/parent_daemon.hpp"
 #include "solver/run_directory/run_directory.hpp"
 
 namespace capstan {

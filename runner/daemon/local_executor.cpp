@@ -2,28 +2,23 @@
 
 #include <fcntl.h>
 #include <spawn.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
-#include <cstring>
 #include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 #include "solver/run_directory/directory_lock.hpp"
-#include "solver/run_directory/exit_code.hpp"
+#include "solver/run_directory/parent_daemon.hpp"
 #include "solver/run_directory/stop_signals.hpp"
 
 namespace capstan {
 namespace {
-
-constexpr const char* kDaemonVariable = "CAPSTAN_DAEMON";
 
 void check(int code, const std::string& operation) {
   if (code != 0) throw std::system_error(code, std::generic_category(), operation);
@@ -158,13 +153,6 @@ void LocalExecutor::cancel(const RunHandle& run, StopBy stop) {
   ::kill(-process->pid, stop == StopBy::kill ? SIGKILL : SIGTERM);
   constexpr int kMax = 5000;  // ms; a killed process that waits for a disk
   if (stop == StopBy::kill) wait_for_end(*process, kMax);
-}
-
-void end_with_daemon() {
-  const char* daemon = std::getenv(kDaemonVariable);
-  if (!daemon) return;
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (std::to_string(getppid()) != daemon) std::_Exit(kExitInterrupted);  // it ended before the line above
 }
 
 }  // namespace capstan

@@ -27,8 +27,4 @@ class LocalExecutor : public Executor {
   std::map<RunHandle, ProcessIdentity> children_;
 };
 
-/// Called by a worker before anything else. If a daemon started it, it is killed together with that daemon,
-/// so that no two workers ever write one run directory.
-void end_with_daemon();
-
 }  // namespace capstan

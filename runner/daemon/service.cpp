@@ -370,7 +370,7 @@ void Service::record(const Claim& claim, const RunOutcome& outcome) {
 /// diverged does the same again from any.
 void Service::remove_spare_checkpoints(const std::string& case_id, RunOutcome::Kind ending) const {
   if (ending != RunOutcome::Kind::done && ending != RunOutcome::Kind::diverged) return;
-  const auto both = checkpoint_files(data_.run(case_id).path(), case_id, kNumericsVersion);
+  const auto both = checkpoint_files(data_.run(case_id), case_id, kNumericsVersion);
   std::error_code ignored;  // they take room, no more
   std::filesystem::remove(both[1].path, ignored);
   if (ending == RunOutcome::Kind::diverged) std::filesystem::remove(both[0].path, ignored);

@@ -10,12 +10,12 @@ std::vector<DamagedCheckpoint> damaged_checkpoints(const std::filesystem::path& 
   std::vector<DamagedCheckpoint> damaged;
   Statement row = database.query("SELECT id FROM cases WHERE state IN ('queued', 'failed', 'cancelled')");
   while (row.step()) {
-    auto [newer, older] = checkpoint_files(runs / row.text(0), row.text(0), kNumericsVersion);
+    auto [newer, older] = checkpoint_files(RunDirectory(runs / row.text(0)), row.text(0), kNumericsVersion);
     newer = with_checksum(newer);
     older = with_checksum(older);
     const auto sound = newer.usable() ? newer.path : older.usable() ? older.path : "";
     for (const CheckpointFile& file : {newer, older})
-      if (file.is_damaged) damaged.push_back({file.path, file.fault, sound});
+      if (file.is_damaged) damaged.push_back({file.path, file.reason, sound});
   }
   return damaged;
 }

@@ -88,8 +88,8 @@ int exit_code_of(const Outcome& outcome) {
 }
 
 /// A directory belongs to one case: the first that ran there.
-bool claim_directory(const std::filesystem::path& out, const Case& c) {
-  const std::filesystem::path mark = out / "case.json";
+bool claim_directory(const RunDirectory& directory, const Case& c) {
+  const std::filesystem::path mark = directory.case_file();
   if (!std::filesystem::exists(mark)) write_durably(mark, to_json(c).dump(2) + "\n");
   const ParsedCase there = read_case(mark);
   return there.value && case_id(*there.value) == case_id(c);
@@ -106,7 +106,7 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
               << ": wait for its end, stop it, or choose another directory\n";
     return kExitError;
   }
-  if (!claim_directory(out, *parsed.value)) {
+  if (!claim_directory(RunDirectory(out), *parsed.value)) {
     std::cerr << out.string() << " holds the run of another case: choose another directory\n";
     return kExitInvalidInput;
   }

@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 StateArchive read_state(const CheckpointFile& checkpoint) {
-  const std::string fault = with_checksum(checkpoint).fault;
-  if (!fault.empty()) throw std::runtime_error(checkpoint.path.string() + " " + fault);
+  const std::string reason = with_checksum(checkpoint).reason;
+  if (!reason.empty()) throw std::runtime_error(checkpoint.path.string() + " " + reason);
   const Hdf5Reader file(checkpoint.path);
   StateArchive state;
   for (const std::string& name : file.names()) state.put(name, file.read(name));
@@ -24,7 +24,7 @@ StateArchive read_state(const CheckpointFile& checkpoint) {
 }  // namespace
 
 void write_checkpoint(const fs::path& directory, const StateArchive& state, const std::string& case_id) {
-  const auto [newer, older] = checkpoint_files(directory, case_id, kNumericsVersion);
+  const auto [newer, older] = checkpoint_files(RunDirectory(directory), case_id, kNumericsVersion);
   PendingFile pending(older.path);
   Hdf5Writer file(pending.temporary(), kCheckpointHeaderSize);
   for (const std::string& name : state.names()) file.write(name, state.get(name));
@@ -37,9 +37,9 @@ void write_checkpoint(const fs::path& directory, const StateArchive& state, cons
 std::optional<StateArchive> read_newest_checkpoint(
     const fs::path& directory, const std::string& case_id,
     const std::function<void(const std::string&)>& on_passed_over) {
-  const auto both = checkpoint_files(directory, case_id, kNumericsVersion);
+  const auto both = checkpoint_files(RunDirectory(directory), case_id, kNumericsVersion);
   for (const CheckpointFile& file : both)
-    if (!file.fault.empty()) on_passed_over(file.path.string() + " " + file.fault);
+    if (!file.reason.empty()) on_passed_over(file.path.string() + " " + file.reason);
   for (const CheckpointFile& file : both) {
     if (!file.usable()) continue;
     try {

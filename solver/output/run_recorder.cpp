@@ -23,11 +23,11 @@ RunRecorder::RunRecorder(std::filesystem::path directory, const Case& c, Choices
       interrupted_(std::move(interrupted)),
       clock_(std::move(clock)),
       started_(clock_()) {
-  std::filesystem::create_directories(directory_);
+  std::filesystem::create_directories(directory_.path());
 }
 
 void RunRecorder::resume(Simulation& simulation, const std::function<void(const std::string&)>& log) {
-  if (const auto checkpoint = read_newest_checkpoint(directory_, case_id(case_), log)) {
+  if (const auto checkpoint = read_newest_checkpoint(directory_.path(), case_id(case_), log)) {
     simulation.load(*checkpoint);
     seconds_before_ = checkpoint->number("seconds");
     log("resumed at step " + std::to_string(simulation.statistics().steps));
@@ -40,19 +40,19 @@ void RunRecorder::resume(Simulation& simulation, const std::function<void(const 
 void RunRecorder::start_history(const History& history) {
   std::string lines;
   for (const Record& past : history) lines += to_json_line(past) + '\n';
-  const std::filesystem::path path = directory_ / "history.jsonl";
+  const std::filesystem::path path = directory_.history_file();
   write_durably(path, lines);
   history_.open(path, std::ios::app);
 }
 
 void RunRecorder::record(const Record& now) {
   history_ << to_json_line(now) << std::endl;
-  if (!history_) throw std::runtime_error("cannot write " + (directory_ / "history.jsonl").string());
+  if (!history_) throw std::runtime_error("cannot write " + directory_.history_file().string());
 }
 
 void RunRecorder::shape(double kt, int frame, const Points& positions, const Points& velocities,
                         const Points& forces) {
-  if (!shapes_) shapes_.emplace(directory_, faces_);
+  if (!shapes_) shapes_.emplace(directory_.path(), faces_);
   shapes_->write(kt, frame, positions, velocities, forces);
   const double now = seconds_here();
   if (!indices_.is_due(now, 0)) return;
@@ -62,7 +62,7 @@ void RunRecorder::shape(double kt, int frame, const Points& positions, const Poi
 
 void RunRecorder::checkpoint(StateArchive state) {
   state.put("seconds", seconds());
-  write_checkpoint(directory_, state, case_id(case_));
+  write_checkpoint(directory_.path(), state, case_id(case_));
   checkpoints_.done(asked_, seconds_here());
 }
 
@@ -77,7 +77,7 @@ bool RunRecorder::is_checkpoint_due(long steps) {
 void RunRecorder::finish(const Simulation& simulation, const Outcome& outcome) {
   if (shapes_) shapes_->write_index();
   if (outcome.stop == Stop::interrupted) return;
-  write_durably(directory_ / "result.json",
+  write_durably(directory_.result_file(),
                 result_json(case_, choices_, simulation, outcome, seconds()).dump(2) + "\n");
 }
 

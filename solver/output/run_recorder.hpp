@@ -9,6 +9,7 @@
 #include "solver/case/choice.hpp"
 #include "solver/output/shape_writer.hpp"
 #include "solver/output/share_of_time.hpp"
+#include "solver/run_directory/run_directory.hpp"
 #include "solver/simulation/run_output.hpp"
 #include "solver/simulation/simulation.hpp"
 
@@ -48,7 +49,7 @@ class RunRecorder : public RunOutput {
   double seconds_here() const { return clock_() - started_; }
   double seconds() const { return seconds_before_ + seconds_here(); }
 
-  std::filesystem::path directory_;
+  RunDirectory directory_;
   Case case_;
   Choices choices_;
   std::function<bool()> interrupted_;

@@ -9,14 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kMeshFile = "shapes/mesh.h5";
-
-/// "shapes/0007.h5"
-std::string frame_file(int frame) {
-  const std::string number = std::to_string(frame);
-  return "shapes/" + std::string(number.size() < 4 ? 4 - number.size() : 0, '0') + number + ".h5";
-}
-
 /// A matrix with one column an entity is, in memory, an array with one row an entity.
 template <class Matrix>
 void write_rows(Hdf5Writer& file, const std::string& name, const Matrix& matrix) {
@@ -27,8 +19,8 @@ void write_rows(Hdf5Writer& file, const std::string& name, const Matrix& matrix)
 
 ShapeWriter::ShapeWriter(fs::path directory, const Faces& faces)
     : directory_(std::move(directory)), face_count_(faces.cols()) {
-  fs::create_directories(directory_ / "shapes");
-  PendingFile pending(directory_ / kMeshFile);
+  fs::create_directories(directory_.shapes_directory());
+  PendingFile pending(directory_.mesh_file());
   Hdf5Writer mesh(pending.temporary());
   write_rows(mesh, "faces", faces);
   mesh.close();
@@ -37,7 +29,7 @@ ShapeWriter::ShapeWriter(fs::path directory, const Faces& faces)
 
 void ShapeWriter::write(double kt, int frame, const Points& positions, const Points& velocities,
                         const Points& forces) {
-  PendingFile pending(directory_ / frame_file(frame));
+  PendingFile pending(directory_.frame_file(frame));
   Hdf5Writer file(pending.temporary());
   file.write("kt", std::span(&kt, 1));
   write_rows(file, "positions", positions);
@@ -53,15 +45,17 @@ void ShapeWriter::write(double kt, int frame, const Points& positions, const Poi
 /// Of an earlier process of this run.
 void ShapeWriter::take_up_frames_before(int frame) {
   for (int earlier = 0; earlier < frame; ++earlier) {
-    const fs::path path = directory_ / frame_file(earlier);
+    const fs::path path = directory_.frame_file(earlier);
     if (fs::exists(path)) times_[earlier] = Hdf5Reader(path).read("kt").at(0);
   }
 }
 
 void ShapeWriter::write_index() const {
+  const auto in_directory = [&](const fs::path& file) { return file.lexically_relative(directory_.path()); };
   std::vector<XdmfFrame> frames;
-  for (const auto& [frame, kt] : times_) frames.push_back({kt, frame_file(frame)});
-  write_durably(directory_ / "shapes.xdmf2", xdmf_index({kMeshFile, vertex_count_, face_count_}, frames));
+  for (const auto& [frame, kt] : times_) frames.push_back({kt, in_directory(directory_.frame_file(frame))});
+  write_durably(directory_.shape_index_file(),
+                xdmf_index({in_directory(directory_.mesh_file()), vertex_count_, face_count_}, frames));
 }
 
 }  // namespace capstan

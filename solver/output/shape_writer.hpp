@@ -8,6 +8,7 @@
 #include <map>
 
 #include "solver/mesh/triangle_mesh.hpp"
+#include "solver/run_directory/run_directory.hpp"
 
 namespace capstan {
 
@@ -31,7 +32,7 @@ class ShapeWriter {
  private:
   void take_up_frames_before(int frame);
 
-  std::filesystem::path directory_;
+  RunDirectory directory_;
   long face_count_, vertex_count_ = 0;
   std::map<int, double> times_;  ///< kt by frame
 };

@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a sound file: why it is not for this reader.
+/// Why an undamaged file cannot be resumed from by this program; "" if it can.
 std::string mismatch(const CheckpointHeader& header, const std::string& case_id, int numerics) {
   if (header.format != kCheckpointFormat) return "has format " + std::to_string(header.format);
   if (header.case_id != case_id) return "belongs to case " + header.case_id;
@@ -19,24 +19,24 @@ std::string mismatch(const CheckpointHeader& header, const std::string& case_id,
 CheckpointFile inspect(const fs::path& path, const std::string& case_id, int numerics) {
   if (!fs::exists(path)) return {.path = path};
   const auto header = read_checkpoint_header(path);
-  if (!header) return {.path = path, .fault = "is truncated or has no valid header", .is_damaged = true};
-  const std::string fault = mismatch(*header, case_id, numerics);
-  return {.path = path, .header = fault.empty() ? *header : CheckpointHeader{}, .fault = fault};
+  if (!header) return {.path = path, .reason = "is truncated or has no valid header", .is_damaged = true};
+  const std::string reason = mismatch(*header, case_id, numerics);
+  return {.path = path, .header = reason.empty() ? *header : CheckpointHeader{}, .reason = reason};
 }
 
 }  // namespace
 
-std::array<CheckpointFile, 2> checkpoint_files(const fs::path& run, const std::string& case_id,
+std::array<CheckpointFile, 2> checkpoint_files(const RunDirectory& directory, const std::string& case_id,
                                                int numerics) {
-  std::array<CheckpointFile, 2> both = {inspect(run / "checkpoint-a.h5", case_id, numerics),
-                                        inspect(run / "checkpoint-b.h5", case_id, numerics)};
+  const auto [a, b] = directory.checkpoint_paths();
+  std::array<CheckpointFile, 2> both = {inspect(a, case_id, numerics), inspect(b, case_id, numerics)};
   if (both[0].header.sequence <= both[1].header.sequence) std::swap(both[0], both[1]);
   return both;
 }
 
 CheckpointFile with_checksum(CheckpointFile file) {
   if (!file.usable() || checksum_holds(file.path, file.header)) return file;
-  return {.path = file.path, .fault = "fails its checksum", .is_damaged = true};
+  return {.path = file.path, .reason = "fails its checksum", .is_damaged = true};
 }
 
 }  // namespace capstan

@@ -26,7 +26,7 @@ std::string print_header(const CheckpointHeader& header) {
   return text;
 }
 
-/// The inverse of print_header; garbage comes out as a header that prints differently.
+/// The inverse of print_header. Any other text gives a header that prints differently.
 CheckpointHeader scan_header(const std::string& text) {
   CheckpointHeader header;
   std::istringstream in(text);
@@ -36,7 +36,7 @@ CheckpointHeader scan_header(const std::string& text) {
   return header;
 }
 
-/// CRC-32 over the fields, then over the file behind its header; 4 GB/s in zlib 1.2.13.
+/// CRC-32 of the fields, followed by the file after its header; 4 GB/s in zlib 1.2.13.
 std::uint32_t compute_crc(const std::filesystem::path& path, const CheckpointHeader& header) {
   const auto extend = [](uLong crc, const char* bytes, size_t count) {
     return crc32_z(crc, reinterpret_cast<const Bytef*>(bytes), count);
@@ -45,7 +45,7 @@ std::uint32_t compute_crc(const std::filesystem::path& path, const CheckpointHea
   uLong crc = extend(0, fields.data(), fields.size());
   std::ifstream in(path, std::ios::binary);
   in.seekg(kCheckpointHeaderSize);
-  std::vector<char> block(size_t{1} << 18);  // stays in the second-level cache between reading and summing
+  std::vector<char> block(size_t{1} << 18);  // fits into the second-level cache
   while (in) {
     in.read(block.data(), static_cast<std::streamsize>(block.size()));
     crc = extend(crc, block.data(), static_cast<size_t>(in.gcount()));

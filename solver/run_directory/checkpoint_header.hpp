@@ -1,9 +1,8 @@
 #pragma once
-// The first 512 bytes of a checkpoint: who wrote it, when in the run, and the checksum of everything.
+// The first 512 bytes of a checkpoint: its writer, its place in the sequence, and the checksum of the file.
 //
-// They are plain text in HDF5's user block (try `head -n 6 checkpoint-a.h5`), so that a damaged file is
-// recognised before HDF5 parses a byte of it: its library does not survive every wrong byte.
-#include <array>
+// They are plain text in HDF5's user block (`head -n 6 checkpoint-a.h5` shows them). A damaged file is so
+// recognised before the HDF5 library parses it: the library crashes on some damaged files.
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -16,22 +15,21 @@ inline constexpr size_t kCheckpointHeaderSize = 512;  // the smallest user block
 
 struct CheckpointHeader {
   int format = kCheckpointFormat;
-  int numerics = 0;            ///< kNumericsVersion of the writer
+  int numerics = 0;            ///< kNumericsVersion of the program that wrote the file
   std::string case_id;         ///< without white space
   std::uint64_t sequence = 0;  ///< 1 for the first checkpoint of a run; the highest is the newest
   std::uint64_t size = 0;      ///< bytes of the whole file
-  std::uint32_t crc =
-      0;  ///< CRC-32 (zlib's) of the fields above as printed, then of all bytes after the header
+  /// CRC-32 (zlib's) of the fields above as printed, followed by all bytes after the header
+  std::uint32_t crc = 0;
 };
 
-/// Fills in size and checksum of a closed checkpoint and writes the header into it.
+/// Writes the header, completed by size and checksum, into a checkpoint that has been closed.
 void seal_checkpoint(const std::filesystem::path& path, CheckpointHeader header);
 
-/// The header, if the file has a well-formed one and the size that stands there. Reads no more than the
-/// header.
+/// The header; nothing if it is not well-formed or gives another size than the file's. Reads only the header.
 std::optional<CheckpointHeader> read_checkpoint_header(const std::filesystem::path& path);
 
-/// Reads the whole file: does it have the checksum its header says?
+/// True if the file has the checksum that its header gives. Reads the whole file.
 bool checksum_holds(const std::filesystem::path& path, const CheckpointHeader& header);
 
 }  // namespace capstan

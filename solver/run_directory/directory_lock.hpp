@@ -1,28 +1,30 @@
 #pragma once
-// The right to work in a run directory: a lock of the kernel (flock) on its file `lock`. The daemon takes it
-// and leaves it to the process that it starts; a process that a user starts takes it itself. The kernel takes
-// it back when the last process that has it ends: no record of ours can be wrong about that, whoever was
-// killed when.
+// Exclusive access to a run directory: a lock of the kernel (flock) on the file `lock` in it.
+//
+// The daemon takes the lock before it starts a process and passes it on to that process; a process that a
+// user starts takes the lock itself. The kernel releases it when the last process that holds it ends, however
+// that process ended.
 #include "solver/run_directory/run_directory.hpp"
 
 namespace capstan {
 
 class DirectoryLock {
  public:
-  /// Where the daemon leaves it to the process that it starts.
+  /// The descriptor under which a process finds the lock that the daemon passed on.
   static constexpr int kInheritedDescriptor = 3;
 
-  /// Throws a std::system_error naming the file, which is made if it is not there.
+  /// Opens the lock file, and makes it if it is missing; does not lock yet. Throws std::system_error naming
+  /// the file.
   explicit DirectoryLock(const RunDirectory& directory);
 
-  /// The one that this process was started with, if it is of this directory; else a new one.
+  /// The lock that the daemon passed on to this process, if it belongs to this directory; else a new one.
   static DirectoryLock inherited_or_new(const RunDirectory& directory);
 
   ~DirectoryLock();
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;
 
-  /// False while another process has it.
+  /// Locks without waiting; false while another process holds the lock.
   bool take();
   int descriptor() const { return descriptor_; }
 

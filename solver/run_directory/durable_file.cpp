@@ -64,11 +64,11 @@ fs::path directory_of(const fs::path& path) {
 }  // namespace
 
 PendingFile::PendingFile(fs::path target) : target_(std::move(target)), temporary_(target_) {
-  temporary_ += ".partial";
+  temporary_ += kPartialExtension;
 }
 
 PendingFile::~PendingFile() {
-  std::error_code ignored;  // after publish() there is nothing left to remove
+  std::error_code ignored;  // publish() has renamed it
   fs::remove(temporary_, ignored);
 }
 
@@ -103,7 +103,7 @@ void write_durably(const fs::path& path, std::string_view bytes) {
   {
     Descriptor out(file.temporary(), O_WRONLY | O_CREAT | O_TRUNC);
     out.write(bytes);
-    out.sync();  // a network file system tells of a full disk only the descriptor that wrote
+    out.sync();  // a network file system reports a full disk only to the descriptor that wrote
   }
   file.publish();
 }

@@ -1,9 +1,7 @@
 #pragma once
-// Files that are there whole or not at all, whatever kills the process or the machine: written under a
-// temporary name beside their target, synced, renamed over it, and the directory synced.
-//
-// It stands in solver/state, the bottom of the include order, because the worker's files (checkpoint, shapes,
-// result) and the daemon's (case) are published the same way.
+// Replacing a file as a whole: after a kill or a power failure the old content or the new one is there, never
+// a part of it. The new content is written to a temporary file beside the target and synced; the temporary is
+// renamed to the target, and the directory is synced.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,9 +9,12 @@
 
 namespace capstan {
 
-/// A file in the making. Whoever has filled `temporary()` and closed it calls `publish()`; without that the
-/// target stays as it was. The temporary's name is fixed (target + ".partial"), so that what a killed process
-/// leaves is overwritten by its successor: a target has one writer at a time.
+/// Extension of the temporary files.
+inline constexpr const char* kPartialExtension = ".partial";
+
+/// A file that is being written. Its owner fills and closes `temporary()`, then calls `publish()`; without
+/// that the target keeps its old content. The temporary's name is target + ".partial", always the same, so
+/// that the next writer overwrites what a killed one left. A target has one writer at a time.
 class PendingFile {
  public:
   explicit PendingFile(std::filesystem::path target);
@@ -23,10 +24,10 @@ class PendingFile {
 
   const std::filesystem::path& temporary() const { return temporary_; }
 
-  /// Throws std::filesystem::filesystem_error naming the operation and the file.
+  /// Replaces the target durably. Throws std::filesystem::filesystem_error naming the operation and the file.
   void publish();
 
-  /// The same without waiting for the disk: whole or not at all after a kill, but not after a power failure.
+  /// Replaces the target without waiting for the disk: atomic under a kill, but not under a power failure.
   void replace();
 
  private:
@@ -34,18 +35,18 @@ class PendingFile {
   std::filesystem::path temporary_;
 };
 
-/// The bytes of the file; nothing if there is none. Throws std::filesystem::filesystem_error where it is
-/// there but cannot be read: that says nothing about what it holds.
+/// The content of the file; nothing if there is no such file. Throws std::filesystem::filesystem_error where
+/// the file is there but cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& path);
 
-/// The error is the reader's own lack of descriptors or memory: later the same may succeed.
+/// True if this process lacked descriptors or memory: the same operation may succeed later.
 bool is_shortage(const std::filesystem::filesystem_error& error);
 
-/// Replaces `path` by a file holding `bytes`. Throws std::filesystem::filesystem_error; the old file then
-/// stands.
+/// Replaces the content of `path`, durably. Throws std::filesystem::filesystem_error; then the file keeps its
+/// old content.
 void write_durably(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same without waiting for the disk, for what can be made again.
+/// The same without waiting for the disk, for files that can be written again.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace capstan

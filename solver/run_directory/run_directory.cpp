@@ -13,19 +13,38 @@ std::string read_from(std::ifstream& stream) { return {std::istreambuf_iterator<
 
 }  // namespace
 
-/// The case is in the database, so its file need not survive a power failure: one that did not is written
+std::array<std::filesystem::path, 2> RunDirectory::checkpoint_paths() const {
+  return {path_ / "checkpoint-a.h5", path_ / "checkpoint-b.h5"};
+}
+
+std::filesystem::path RunDirectory::frame_file(int frame) const {
+  constexpr std::size_t kMinDigits = 4;
+  const std::string number = std::to_string(frame);
+  const std::size_t zeros = number.size() < kMinDigits ? kMinDigits - number.size() : 0;
+  return shapes_directory() / (std::string(zeros, '0') + number + ".h5");
+}
+
+bool RunDirectory::is_shape(const std::filesystem::path& file) const {
+  return file.parent_path() == shapes_directory() || file.filename().string().starts_with("shapes");
+}
+
+bool RunDirectory::is_checkpoint(const std::filesystem::path& file) const {
+  return file.filename().string().starts_with("checkpoint");
+}
+
+/// Written without a sync: the database holds the case, and a file that a power failure damaged is written
 /// again.
 void RunDirectory::prepare(const std::string& case_document) const {
   std::filesystem::create_directories(path_);
-  std::ifstream there(case_file(), std::ios::binary);
-  if (read_from(there) != case_document + "\n") write_atomically(case_file(), case_document + "\n");
+  std::ifstream present(case_file(), std::ios::binary);
+  if (read_from(present) != case_document + "\n") write_atomically(case_file(), case_document + "\n");
 }
 
 std::vector<std::filesystem::path> RunDirectory::partial_files() const {
   std::vector<std::filesystem::path> partial;
-  std::error_code none;  // the run was killed before it had a directory
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(path_, none))
-    if (entry.path().extension() == ".partial") partial.push_back(entry.path());
+  std::error_code ignored;  // a run that was killed early has no directory
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path_, ignored))
+    if (entry.path().extension() == kPartialExtension) partial.push_back(entry.path());
   return partial;
 }
 
@@ -34,8 +53,9 @@ void RunDirectory::remove_partial_files() const {
 }
 
 bool RunDirectory::is_worthless() const {
-  for (const char* kept : {"result.json", "checkpoint-a.h5", "checkpoint-b.h5"})
-    if (std::filesystem::exists(path_ / kept)) return false;
+  const auto [first, second] = checkpoint_paths();
+  for (const std::filesystem::path& file : {result_file(), first, second})
+    if (std::filesystem::exists(file)) return false;
   return true;
 }
 
@@ -47,11 +67,11 @@ std::optional<nlohmann::ordered_json> RunDirectory::result() const {
   return result;
 }
 
-std::string RunDirectory::log_tail(std::size_t size) const {
+std::string RunDirectory::log_tail(std::size_t max_size) const {
   std::ifstream stream(log_file(), std::ios::binary | std::ios::ate);
   if (!stream) return "";
   const auto length = static_cast<std::size_t>(stream.tellg());
-  const std::size_t start = length - std::min(size, length);
+  const std::size_t start = length - std::min(max_size, length);
   stream.seekg(static_cast<std::streamoff>(start));
   std::string text = read_from(stream);
   if (start > 0) text.erase(0, text.find('\n') + 1);

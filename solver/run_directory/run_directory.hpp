@@ -1,5 +1,10 @@
 #pragma once
-// The directory of one run, as the daemon sees it (schema/run_directory.md).
+// The directory of one run: the names of its files (schema/run_directory.md), and what the daemon does with
+// them.
+//
+// `capstan solve` writes the files; the daemon, `capstan doctor` and the tests read them. All of them take
+// the names from here.
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,23 +23,36 @@ class RunDirectory {
   std::filesystem::path result_file() const { return path_ / "result.json"; }
   std::filesystem::path log_file() const { return path_ / "log"; }
   std::filesystem::path lock_file() const { return path_ / "lock"; }
+  /// The two files that a run writes its checkpoints to in turn; the first checkpoint goes to the first one.
+  std::array<std::filesystem::path, 2> checkpoint_paths() const;
+  std::filesystem::path shapes_directory() const { return path_ / "shapes"; }
+  std::filesystem::path shape_index_file() const { return path_ / "shapes.xdmf2"; }
+  std::filesystem::path mesh_file() const { return shapes_directory() / "mesh.h5"; }
+  /// \param frame  counts from 0; shapes/0007.h5 for 7
+  std::filesystem::path frame_file(int frame) const;
 
-  /// Makes the directory and the case file, if they are not there yet or damaged.
+  /// True for the index of the shapes and for all that lies in shapes/, also for files still being written.
+  bool is_shape(const std::filesystem::path& file) const;
+  /// True for a checkpoint, also for one that is still being written.
+  bool is_checkpoint(const std::filesystem::path& file) const;
+
+  /// Makes the directory, and writes the case file unless it holds that document already.
   void prepare(const std::string& case_document) const;
 
-  /// Takes away what a killed process left half-written. Nobody works in the directory.
+  /// Removes the unfinished files (*.partial) of a killed process. No process may be working in the
+  /// directory.
   void remove_partial_files() const;
   bool has_partial_files() const { return !partial_files().empty(); }
 
-  /// Neither a result nor a checkpoint: to delete it loses nothing.
+  /// True if there is neither a result nor a checkpoint: nothing is lost when the directory is deleted.
   bool is_worthless() const;
 
-  /// result.json, if the run has ended and left one that is whole. Throws std::filesystem::filesystem_error
-  /// where it is there but cannot be read.
+  /// The content of result.json; nothing if there is no such file, or if it is not a whole JSON object.
+  /// Throws std::filesystem::filesystem_error where the file is there but cannot be read.
   std::optional<nlohmann::ordered_json> result() const;
 
-  /// The end of what the process said, at most `size` bytes and from the start of a line.
-  std::string log_tail(std::size_t size = 2000) const;
+  /// The last lines of the log, at most `max_size` bytes; a line that is cut is left out.
+  std::string log_tail(std::size_t max_size = 2000) const;
 
  private:
   std::vector<std::filesystem::path> partial_files() const;

@@ -5,7 +5,8 @@
 
 namespace capstan {
 
-/// The daemon sends SIGTERM, a terminal SIGINT, one that is closed SIGHUP, Slurm SIGUSR1 (--signal=USR1).
+/// SIGTERM comes from the daemon, SIGINT from Ctrl-C, SIGHUP from a terminal that is closed. SIGUSR1 is for
+/// batch systems that announce the end of a job with it.
 inline constexpr std::array kStopSignals = {SIGTERM, SIGINT, SIGHUP, SIGUSR1};
 
 inline sigset_t stop_signals() {
@@ -15,8 +16,8 @@ inline sigset_t stop_signals() {
   return signals;
 }
 
-/// The daemon starts a run with these signals blocked, so that none ends it before it can write a checkpoint.
-/// To be called once the handlers are installed: a signal that came earlier is delivered now.
+/// Called by a run once it has installed its handlers. The daemon starts a run with these signals blocked, so
+/// that none ends it before it can write a checkpoint; a signal that came meanwhile is delivered now.
 inline void unblock_stop_signals() {
   const sigset_t signals = stop_signals();
   sigprocmask(SIG_UNBLOCK, &signals, nullptr);

@@ -23,7 +23,9 @@
 #include <vector>
 
 #include "runner/cli/program.hpp"
+#include "solver/run_directory/durable_file.hpp"
 #include "solver/run_directory/exit_code.hpp"
+#include "solver/run_directory/run_directory.hpp"
 #include "solver/run_directory/stop_signals.hpp"
 
 namespace capstan {
@@ -33,8 +35,8 @@ using nlohmann::ordered_json;
 
 constexpr int kRecords = 10;
 
-void write_history(const std::filesystem::path& out, double until, int records) {
-  std::ofstream history(out / "history.jsonl", std::ios::trunc);
+void write_history(const RunDirectory& directory, double until, int records) {
+  std::ofstream history(directory.history_file(), std::ios::trunc);
   for (int i = 1; i <= records; ++i)
     history << ordered_json{{"kt", until * i / kRecords},
                             {"D_xy", 0.5},
@@ -48,16 +50,15 @@ void write_history(const std::filesystem::path& out, double until, int records) 
             << std::endl;
 }
 
-void write_result(const std::filesystem::path& out, const ordered_json& result) {
-  std::ofstream(out / "result.json.partial") << result.dump();
-  std::filesystem::rename(out / "result.json.partial", out / "result.json");
+void write_result(const RunDirectory& directory, const ordered_json& result) {
+  write_atomically(directory.result_file(), result.dump());
 }
 
-int wait_for_interruption(const std::filesystem::path& out, double until) {
+int wait_for_interruption(const RunDirectory& directory, double until) {
   const sigset_t signals = stop_signals();
   sigprocmask(SIG_BLOCK, &signals, nullptr);
-  write_history(out, until, kRecords / 2);
-  std::ofstream(out / "checkpoint-a.h5") << "half of it";
+  write_history(directory, until, kRecords / 2);
+  std::ofstream(directory.checkpoint_paths()[0]) << "half of it";
   int signal = 0;
   sigwait(&signals, &signal);
   return kExitInterrupted;
@@ -68,8 +69,8 @@ void compute_until(const std::filesystem::path& file) {
   }
 }
 
-[[noreturn]] void write_without_end(const std::filesystem::path& out) {
-  for (std::ofstream history(out / "history.jsonl", std::ios::trunc);; usleep(10000))
+[[noreturn]] void write_without_end(const RunDirectory& directory) {
+  for (std::ofstream history(directory.history_file(), std::ios::trunc);; usleep(10000))
     history << R"({"kt":0.1,"D_xy":0.5,"theta":-0.1,"psi":0.01,"volume":4.18,"area":17.2})" << std::endl;
 }
 
@@ -77,31 +78,32 @@ void compute_until(const std::filesystem::path& file) {
   for (std::vector<std::string> taken;;) taken.emplace_back(1 << 20, 'x'), usleep(1000);
 }
 
-int complete(const std::filesystem::path& out, double until, double Ca) {
-  write_history(out, until, kRecords);
-  write_result(out, {{"format", 1},
-                     {"stop", "reached_end"},
-                     {"message", ""},
-                     {"motion", Ca < 0.5 ? "tumbling" : "tank_treading"},
-                     {"evidence", {{"turns", 2.0}, {"margin", 0.25}}},
-                     {"final", {{"kt", until}, {"D_xy", 0.5}, {"theta", -1.0}}}});
+int complete(const RunDirectory& directory, double until, double Ca) {
+  write_history(directory, until, kRecords);
+  write_result(directory, {{"format", 1},
+                           {"stop", "reached_end"},
+                           {"message", ""},
+                           {"motion", Ca < 0.5 ? "tumbling" : "tank_treading"},
+                           {"evidence", {{"turns", 2.0}, {"margin", 0.25}}},
+                           {"final", {{"kt", until}, {"D_xy", 0.5}, {"theta", -1.0}}}});
   return kExitDone;
 }
 
 bool is_coarse(const ordered_json& input) { return input["fidelity"]["nodes"] <= 642; }
 
 int solve(const std::filesystem::path& case_file, const std::filesystem::path& out, double) {
+  const RunDirectory directory(out);
   const ordered_json input = ordered_json::parse(std::ifstream(case_file));
   const double V = input["V"];
   const double until = input["until"]["kt"];
-  if (V == 70 || (V == 80 && !std::filesystem::exists(out / "checkpoint-a.h5")))
-    return wait_for_interruption(out, until);
+  if (V == 70 || (V == 80 && !std::filesystem::exists(directory.checkpoint_paths()[0])))
+    return wait_for_interruption(directory, until);
   unblock_stop_signals();
   if (V == 40) compute_until(out / "go");
-  if (V == 46) write_without_end(out);
+  if (V == 46) write_without_end(directory);
   if (V == 45) take_memory_without_end();
   if (V == 50 || (V == 55 && is_coarse(input))) {
-    write_result(out,
+    write_result(directory,
                  {{"stop", "diverged"}, {"message", "the membrane tore at kt = 0.3"}, {"motion", nullptr}});
     return kExitNoAnswer;
   }
@@ -113,7 +115,7 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
     std::cerr << "/V  cannot be " << V << std::endl;
     return kExitInvalidInput;
   }
-  return complete(out, until, input["Ca"]);
+  return complete(directory, until, input["Ca"]);
 }
 
 }  // namespace
