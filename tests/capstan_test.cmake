@@ -10,12 +10,18 @@ function(capstan_test_program name)
   endif()
 endfunction()
 
+# All programs of tests with the label "unit": cmake --build --preset test --target unit_tests
+add_custom_target(unit_tests)
+
 # capstan_test(NAME LABEL LABEL [RUNS PROGRAM] LINKS LIBRARY... SOURCES FILE...)
 #   The same, with GoogleTest's main; CTest knows each of its tests, under the label.
 function(capstan_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "")
   capstan_test_program(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE GTest::gmock_main)
+  if(arg_LABEL STREQUAL "unit")
+    add_dependencies(unit_tests ${name})
+  endif()
   gtest_discover_tests(${name} PROPERTIES LABELS ${arg_LABEL}
     ENVIRONMENT LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/support/lsan_suppressions.txt)
 endfunction()

@@ -53,7 +53,7 @@ Level::Level(Extent extent, const LevelSettings& settings)
 // thread.
 void Level::sweep(double keep, double blend) {
   fill_ghosts(f_, ghosts_);
-  const auto [nx, ny, nz] = extent();
+  const int nx = extent().nx, ny = extent().ny, nz = extent().nz;
 #pragma omp parallel
   {
     RowBuffer row(nx);

@@ -77,7 +77,7 @@ CAPSTAN_VECTOR_UNITS void multiply_add(double* __restrict out, const double* __r
 
 /// Applies the matrix to every interior cell.
 void apply(const PopulationMatrix& matrix, PopulationField& f) {
-  const auto [nx, ny, nz] = f.extent();
+  const int nx = f.extent().nx, ny = f.extent().ny, nz = f.extent().nz;
 #pragma omp parallel
   {
     std::vector<double> row(std::size_t(kQ) * nx);
@@ -96,7 +96,7 @@ void apply(const PopulationMatrix& matrix, PopulationField& f) {
 
 /// Mean of the eight children.
 void average(const PopulationField& fine, PopulationField& coarse) {
-  const auto [nx, ny, nz] = coarse.extent();
+  const int nx = coarse.extent().nx, ny = coarse.extent().ny, nz = coarse.extent().nz;
   for (int q = 0; q < kQ; ++q) {
 #pragma omp parallel for schedule(static)
     for (int z = 0; z < nz; ++z)
@@ -133,7 +133,7 @@ void LevelTransfer::scale_to_finer(PopulationField& coarse) const { apply(state_
 
 // A child's centre is a quarter of a coarse cell from its parent's: weights 3/4 and 1/4 in each direction.
 void add_interpolated(const PopulationField& coarse, PopulationField& fine) {
-  const auto [nx, ny, nz] = coarse.extent();
+  const int nx = coarse.extent().nx, ny = coarse.extent().ny, nz = coarse.extent().nz;
   for (int q = 0; q < kQ; ++q) {
 #pragma omp parallel
     {

@@ -29,8 +29,9 @@ struct CloseFace {
 
 /// The part of a list in the order of the targets that belongs to one of them.
 inline std::span<const CloseFace> close_to(const std::vector<CloseFace>& close, int slot) {
-  const auto part = std::ranges::equal_range(close, slot, {}, &CloseFace::slot);
-  return {part.begin(), part.end()};
+  const auto first = std::ranges::lower_bound(close, slot, {}, &CloseFace::slot);
+  const auto last = std::ranges::upper_bound(close, slot, {}, &CloseFace::slot);
+  return {first, last};
 }
 
 class Neighbourhood {

@@ -19,8 +19,10 @@ Components components(const PointArray& points) { return {points.x(), points.y()
 
 std::vector<const PointLoops*> supported_point_loops() {
   std::vector<const PointLoops*> supported = {&kLoops_x86_64};
+#ifndef __clang__  // clang 14 does not know these names of processor levels
   if (__builtin_cpu_supports("x86-64-v3")) supported.push_back(&kLoops_x86_64_v3);
   if (__builtin_cpu_supports("x86-64-v4")) supported.push_back(&kLoops_x86_64_v4);
+#endif
   return supported;
 }
 

@@ -1,0 +1,56 @@
+#!/bin/sh
+# Runs clang-tidy on C++ files; every finding is an error.
+#   sh tests/tidy.sh           the files that differ from where this branch left origin/main, uncommitted changes
+#                              included; on main itself, from the commit before
+#   sh tests/tidy.sh REVISION  the files that differ from REVISION
+#   sh tests/tidy.sh --all     all files (also where there is no git history to compare with)
+set -eu
+cd "$(dirname "$0")/.."
+sh runner/install_packages.sh clang clang-tidy-14 libclang-rt-14-dev libomp-14-dev
+cmake --preset sanitize >/dev/null # for its compile_commands.json
+
+fail() {
+  echo "tidy: $1" >&2
+  exit 1
+}
+
+# Prints the revision to compare with; nothing if there is none.
+base_revision() {
+  if [ -n "${1:-}" ]; then
+    git rev-parse --verify --quiet "$1^{commit}"
+    return
+  fi
+  base=$(git merge-base HEAD origin/main 2>/dev/null) || base=""
+  [ "$base" != "$(git rev-parse HEAD)" ] || base=""
+  echo "${base:-$(git rev-parse --verify --quiet HEAD~1)}"
+}
+
+all_files() { find solver runner tests -name '*.cpp' -o -name '*.hpp'; }
+
+changed_files() {
+  { git diff --name-only --diff-filter=d "$1" && git ls-files --others --exclude-standard; } |
+    grep -E '^(solver|runner|tests)/.*\.[ch]pp$' || true
+}
+
+if [ "${1:-}" = --all ]; then
+  files=$(all_files) what="all files"
+elif base=$(base_revision "${1:-}") && [ -n "$base" ]; then
+  files=$(changed_files "$base") what="changed since $(git log -1 --format='%h (%s)' "$base")"
+elif [ -n "${1:-}" ]; then
+  fail "there is no revision $1"
+else
+  files=$(all_files) what="all files, because there is no earlier revision"
+fi
+
+# A name that breaks the rules must be found: else the settings are not read, and nothing would be.
+mkdir -p build/tidy
+echo 'int BadName() { return 0; }' >build/tidy/finding.cpp
+if clang-tidy-14 --quiet --config-file=.clang-tidy build/tidy/finding.cpp -- -std=c++20 >build/tidy/log 2>&1 ||
+  ! grep -q 'readability-identifier-naming' build/tidy/log; then
+  cat build/tidy/log >&2
+  fail "clang-tidy does not find what it should"
+fi
+
+count=$(printf '%s' "$files" | grep -c . || true)
+echo "clang-tidy: $count files, $what"
+[ "$count" = 0 ] || printf '%s\n' "$files" | xargs -P "$(nproc)" -n 2 clang-tidy-14 --quiet -p build/sanitize
