@@ -22,7 +22,7 @@ RunOutcome readable_outcome_of(const ProcessEnd& end, const RunDirectory& direct
   return outcome_of(end, directory);
 } catch (const std::filesystem::filesystem_error& error) {
   if (is_shortage(error)) throw;
-  return {RunOutcome::Kind::interrupted, error.what(), {}};
+  return {RunEnding::interrupted, error.what()};
 }
 
 }  // namespace
@@ -322,21 +322,20 @@ void Service::hold_to_limits(Run& run) {
 /// process's end looks like.
 RunOutcome Service::outcome_of_run(const Run& run) const {
   RunOutcome outcome = readable_outcome_of(*run.end, data_.run(run.claim.case_id));
-  using Kind = RunOutcome::Kind;
   const bool has_error = run.end->how == ProcessEnd::How::exited && run.end->number == kExitError;
   const bool has_directory = std::filesystem::exists(data_.run(run.claim.case_id).path());
   if (!outcome.result && has_error && !has_directory)
-    return {Kind::interrupted, "its directory was removed", {}};
+    return {RunEnding::interrupted, "its directory was removed"};
   if (!outcome.result && has_error && !why_nothing_starts().empty())
-    return {Kind::interrupted, "the disk was full", {}};
+    return {RunEnding::interrupted, "the disk was full"};
   if (outcome.result) return outcome;
-  if (!run.beyond.empty()) return {Kind::failed, run.beyond, {}};
+  if (!run.beyond.empty()) return {RunEnding::failed, run.beyond};
   if (run.is_killed && run.idle_heartbeats >= JobQueue::kHeartbeats)
-    return {Kind::crashed, "it stood still until its lease ran out, and was killed", {}};
-  if (run.is_killed) return {Kind::interrupted, "it did not stop when it was asked to, and was killed", {}};
-  if (run.stop_asked && outcome.kind == Kind::crashed)
-    return {
-        Kind::interrupted, "it was asked to stop, and ended without a checkpoint: " + describe(*run.end), {}};
+    return {RunEnding::crashed, "it stood still until its lease ran out, and was killed"};
+  if (run.is_killed) return {RunEnding::interrupted, "it did not stop when it was asked to, and was killed"};
+  if (run.stop_asked && outcome.ending == RunEnding::crashed)
+    return {RunEnding::interrupted,
+            "it was asked to stop, and ended without a checkpoint: " + describe(*run.end)};
   return outcome;
 }
 
@@ -357,39 +356,23 @@ void Service::kill(Run& run) {
 /// The end of the run and all that it left, in one transaction; nothing if the claim holds no longer.
 void Service::record(const Claim& claim, const RunOutcome& outcome) {
   Transaction transaction(database_);
-  if (!record_ending(claim, outcome)) return;
+  if (!queue_.end(claim, outcome.ending, outcome.message)) return;
   store_history_file(database_, claim.case_id, read_history(data_.run(claim.case_id).history_file()));
   if (outcome.result) store_result(database_, claim.case_id, *outcome.result);
   fail_point("recording");
   transaction.commit();
   fail_point("recorded");
-  remove_spare_checkpoints(claim.case_id, outcome.kind);
+  remove_spare_checkpoints(claim.case_id, outcome.ending);
 }
 
 /// Of a case that is done the newest checkpoint is kept, which would be needed to prolong it; one that
 /// diverged does the same again from any.
-void Service::remove_spare_checkpoints(const std::string& case_id, RunOutcome::Kind ending) const {
-  if (ending != RunOutcome::Kind::done && ending != RunOutcome::Kind::diverged) return;
+void Service::remove_spare_checkpoints(const std::string& case_id, RunEnding ending) const {
+  if (ending != RunEnding::done && ending != RunEnding::diverged) return;
   const auto both = checkpoint_files(data_.run(case_id), case_id, kNumericsVersion);
   std::error_code ignored;  // they take room, no more
   std::filesystem::remove(both[1].path, ignored);
-  if (ending == RunOutcome::Kind::diverged) std::filesystem::remove(both[0].path, ignored);
-}
-
-bool Service::record_ending(const Claim& claim, const RunOutcome& outcome) {
-  switch (outcome.kind) {
-    case RunOutcome::Kind::done:
-      return queue_.finish(claim, Ending::done, outcome.message);
-    case RunOutcome::Kind::failed:
-      return queue_.finish(claim, Ending::failed, outcome.message);
-    case RunOutcome::Kind::diverged:
-      return queue_.finish(claim, Ending::diverged, outcome.message);
-    case RunOutcome::Kind::interrupted:
-      return queue_.interrupted(claim, outcome.message);
-    case RunOutcome::Kind::crashed:
-      break;
-  }
-  return queue_.crashed(claim, outcome.message);
+  if (ending == RunEnding::diverged) std::filesystem::remove(both[0].path, ignored);
 }
 
 }  // namespace capstan

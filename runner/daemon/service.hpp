@@ -122,8 +122,7 @@ class Service {
   void ask_to_stop(Run& run);
   void kill(Run& run);
   void record(const Claim& claim, const RunOutcome& outcome);
-  void remove_spare_checkpoints(const std::string& case_id, RunOutcome::Kind ending) const;
-  bool record_ending(const Claim& claim, const RunOutcome& outcome);
+  void remove_spare_checkpoints(const std::string& case_id, RunEnding ending) const;
 
   const DataDirectory& data_;
   Executor& executor_;

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
+#include "runner/queue/case_state.hpp"
 #include "runner/store/timestamp.hpp"
+#include "solver/run_directory/motion.hpp"
 
 namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr const char* kStates[] = {"queued", "running", "done", "failed", "diverged", "cancelled"};
-constexpr const char* kMotions[] = {"tumbling", "tank_treading", "transition", "undecided"};
 
 /// The study's columns; the counts begin at the ninth.
 constexpr const char* kColumns =
@@ -28,8 +26,8 @@ ordered_json count_states(const Statement& row) {
   ordered_json counts = {{"total", 0}};
   std::int64_t total = 0;
   int column = kFirstCount;
-  for (const char* state : kStates) {
-    counts[state] = row.integer(column);
+  for (const CaseState state : kCaseStates) {
+    counts[std::string(to_string(state))] = row.integer(column);
     total += row.integer(column++);
   }
   counts["total"] = total;
@@ -38,8 +36,8 @@ ordered_json count_states(const Statement& row) {
 
 ordered_json count_motions(const Statement& row) {
   ordered_json counts;
-  int column = kFirstCount + static_cast<int>(std::size(kStates));
-  for (const char* motion : kMotions) counts[motion] = row.integer(column++);
+  int column = kFirstCount + static_cast<int>(kCaseStates.size());
+  for (const Motion motion : kMotions) counts[std::string(to_string(motion))] = row.integer(column++);
   return counts;
 }
 

@@ -11,18 +11,6 @@
 namespace capstan {
 namespace {
 
-std::string_view to_string(Ending ending) {
-  switch (ending) {
-    case Ending::done:
-      return "done";
-    case Ending::failed:
-      return "failed";
-    case Ending::diverged:
-      break;
-  }
-  return "diverged";
-}
-
 /// Of a row of unwanted_cases: a study has the case, or has another in its place.
 constexpr const char* kIsWanted =
     "EXISTS (SELECT 1 FROM study_cases w WHERE w.case_id = unwanted_cases.case_id)"
@@ -259,47 +247,42 @@ bool JobQueue::renew(const Claim& claim) {
   return renewed > 0;
 }
 
-/// Closes the claim's attempt and takes the token back; false if it held no longer.
-bool JobQueue::end_attempt(const Claim& claim, std::string_view ending, const std::string& reason) {
+/// Closes the attempt and withdraws the token; false if the token was no longer valid.
+bool JobQueue::end_attempt(const Claim& claim, RunEnding ending, const std::string& reason) {
   const int held =
       database_.execute("UPDATE cases SET token = NULL, lease_until = NULL WHERE id = ? AND token = ?",
                         claim.case_id, claim.token);
   if (held == 0) return false;
   database_.execute(
       "UPDATE attempts SET ended_at = ?, ending = ?, reason = ? WHERE case_id = ? AND attempt = ?",
-      clock_.now(), ending, reason, claim.case_id, claim.attempt);
+      clock_.now(), to_string(ending), reason, claim.case_id, claim.attempt);
   return true;
 }
 
-bool JobQueue::finish(const Claim& claim, Ending ending, const std::string& message) {
+bool JobQueue::end(const Claim& claim, RunEnding ending, const std::string& reason) {
   Transaction transaction(database_);
-  if (!end_attempt(claim, to_string(ending), message)) return false;
-  database_.execute("UPDATE cases SET state = ?, message = ?, cancel_requested = 0 WHERE id = ?",
-                    to_string(ending), message, claim.case_id);
-  transaction.commit();
-  return true;
-}
-
-bool JobQueue::interrupted(const Claim& claim, const std::string& reason) {
-  Transaction transaction(database_);
-  if (!end_attempt(claim, "interrupted", reason)) return false;
-  database_.execute(
-      "UPDATE cases SET state = iif(cancel_requested, 'cancelled', 'queued'),"
-      " message = iif(cancel_requested, 'cancelled by the user', ?), cancel_requested = 0 WHERE id = ?",
-      reason, claim.case_id);
-  transaction.commit();
-  return true;
-}
-
-bool JobQueue::crashed(const Claim& claim, const std::string& reason) {
-  Transaction transaction(database_);
-  if (!end_attempt(claim, "crashed", reason)) return false;
-  database_.execute(
-      "UPDATE cases SET crashes = crashes + 1, message = ?1, cancel_requested = 0, not_before = ?4,"
-      " state = CASE WHEN cancel_requested THEN 'cancelled' WHEN crashes + 1 < ?2 THEN 'queued' ELSE "
-      "'failed' END"
-      " WHERE id = ?3",
-      reason, kMaxCrashes, claim.case_id, Time(clock_.now() + kBackOff));
+  if (!end_attempt(claim, ending, reason)) return false;
+  switch (ending) {
+    case RunEnding::done:
+    case RunEnding::failed:
+    case RunEnding::diverged:
+      database_.execute("UPDATE cases SET state = ?, message = ?, cancel_requested = 0 WHERE id = ?",
+                        to_string(ending), reason, claim.case_id);
+      break;
+    case RunEnding::interrupted:
+      database_.execute(
+          "UPDATE cases SET state = iif(cancel_requested, 'cancelled', 'queued'),"
+          " message = iif(cancel_requested, 'cancelled by the user', ?), cancel_requested = 0 WHERE id = ?",
+          reason, claim.case_id);
+      break;
+    case RunEnding::crashed:
+      database_.execute(
+          "UPDATE cases SET crashes = crashes + 1, message = ?1, cancel_requested = 0, not_before = ?4,"
+          " state = CASE WHEN cancel_requested THEN 'cancelled' WHEN crashes + 1 < ?2 THEN 'queued' ELSE "
+          "'failed' END"
+          " WHERE id = ?3",
+          reason, kMaxCrashes, claim.case_id, Time(clock_.now() + kBackOff));
+  }
   transaction.commit();
   return true;
 }
@@ -332,7 +315,7 @@ int JobQueue::give_back_expired(const std::function<bool(const Claim&)>& is_held
     if (is_held(claim))
       renew(claim);
     else
-      given_back += interrupted(claim, "its lease expired: nobody was heard of it");
+      given_back += end(claim, RunEnding::interrupted, "its lease expired: nobody was heard of it");
   transaction.commit();
   return given_back;
 }

@@ -18,10 +18,9 @@
 #include "runner/store/clock.hpp"
 #include "runner/store/database.hpp"
 #include "runner/study/study.hpp"
+#include "solver/run_directory/run_ending.hpp"
 
 namespace capstan {
-
-enum class Ending { done, failed, diverged };
 
 struct Submission {
   std::string study_id;
@@ -101,9 +100,9 @@ class JobQueue {
   /// their turn.
   bool put_back(const Claim& claim, const std::string& reason);
   bool renew(const Claim& claim);
-  bool finish(const Claim& claim, Ending ending, const std::string& message);
-  bool interrupted(const Claim& claim, const std::string& reason);
-  bool crashed(const Claim& claim, const std::string& reason);
+  /// Ends the attempt. The case is done, failed or diverged; or it is queued again, after an interruption and
+  /// after the first crash.
+  bool end(const Claim& claim, RunEnding ending, const std::string& reason);
 
   bool is_to_be_cancelled(const Claim& claim);
 
@@ -123,7 +122,7 @@ class JobQueue {
   void add_points(const std::string& study_id, const Study& study);
   void want_cases(const std::string& study_id);
   std::optional<int> queued_cases(const std::string& study_id);  ///< nothing if there is no such study
-  bool end_attempt(const Claim& claim, std::string_view ending, const std::string& reason);
+  bool end_attempt(const Claim& claim, RunEnding ending, const std::string& reason);
 
   Database& database_;
   const Clock& clock_;

@@ -1,23 +1,23 @@
 #pragma once
-// What the end of a run means, from its exit status and its run directory alone.
+// The outcome of a run, from its exit status and its run directory alone.
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "runner/recording/process_end.hpp"
 #include "solver/run_directory/run_directory.hpp"
+#include "solver/run_directory/run_ending.hpp"
 
 namespace capstan {
 
 struct RunOutcome {
-  enum class Kind { done, failed, diverged, interrupted, crashed };
-  Kind kind;
-  std::string message;                           ///< why, where that needs words
-  std::optional<nlohmann::ordered_json> result;  ///< result.json
+  RunEnding ending;
+  std::string message;                                ///< reason of the ending, where there is one to give
+  std::optional<nlohmann::ordered_json> result = {};  ///< result.json
 };
 
-/// A result.json says that the run is complete, however its process ended after that. Without one the exit
-/// status counts (schema/exit_codes.md).
+/// A complete result.json decides, however the process ended after writing it. Without one the exit status
+/// decides (schema/exit_codes.md). Throws std::filesystem::filesystem_error if result.json cannot be read.
 RunOutcome outcome_of(const ProcessEnd& end, const RunDirectory& directory);
 
 }  // namespace capstan

@@ -16,6 +16,7 @@
 #include "solver/run_directory/directory_lock.hpp"
 #include "solver/run_directory/durable_file.hpp"
 #include "solver/run_directory/exit_code.hpp"
+#include "solver/run_directory/run_ending.hpp"
 #include "solver/run_directory/stop_signals.hpp"
 
 namespace capstan {
@@ -75,16 +76,9 @@ class Worker : public RunRecorder {
   Progress progress_;
 };
 
-int exit_code_of(const Outcome& outcome) {
-  switch (outcome.stop) {
-    case Stop::interrupted:
-      return kExitInterrupted;
-    case Stop::diverged:
-    case Stop::not_converged:
-      return kExitNoAnswer;
-    default:
-      return kExitDone;
-  }
+RunEnding ending_of(Stop stop) {
+  if (stop == Stop::interrupted) return RunEnding::interrupted;
+  return has_answer(stop) ? RunEnding::done : RunEnding::diverged;
 }
 
 /// A directory belongs to one case: the first that ran there.
@@ -121,7 +115,7 @@ int solve(const std::filesystem::path& case_file, const std::filesystem::path& o
   if (const Verdict label = simulation.verdict(); has_answer(outcome.stop))
     std::cerr << to_string(label.motion) << ": " << label.explanation << "\n";
   worker.finish(simulation, outcome);
-  return exit_code_of(outcome);
+  return exit_code_of(ending_of(outcome.stop));
 }
 
 }  // namespace

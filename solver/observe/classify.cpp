@@ -89,20 +89,6 @@ Evidence evidence_of(Motion motion, const Findings& found) {
 
 }  // namespace
 
-std::string_view to_string(Motion motion) {
-  switch (motion) {
-    case Motion::tumbling:
-      return "tumbling";
-    case Motion::tank_treading:
-      return "tank_treading";
-    case Motion::transition:
-      return "transition";
-    case Motion::undecided:
-      break;
-  }
-  return "undecided";
-}
-
 Verdict classify(Samples samples) {
   const std::optional<Findings> found = look_at(samples);
   Verdict verdict;

@@ -19,19 +19,11 @@
 //      kinds, or Q came nearer to 0 than min(0.06, D_max / 2), D_max the largest D: transition.
 //   5. Otherwise the kind that r says.
 #include <string>
-#include <string_view>
 
 #include "solver/observe/motion_sample.hpp"
+#include "solver/run_directory/motion.hpp"
 
 namespace capstan {
-
-enum class Motion {
-  tumbling,
-  tank_treading,
-  transition,  ///< between the two: rule 4
-  undecided,   ///< less than one half-turn was seen, or the mesh could not represent the surface
-};
-std::string_view to_string(Motion motion);
 
 /// Counted from kt = 3 on, when the start is forgotten. Half-turns are clockwise, as the shear turns. r,
 /// D_min and margin are of the part that was judged: under rule 1 the last half of a half-turn, under rule 2

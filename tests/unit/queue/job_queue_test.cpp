@@ -96,7 +96,7 @@ TEST_F(JobQueueTest, PromisesWaitForTheDiskAndLeasesDoNot) {
   EXPECT_TRUE(is_synced());
   const auto claim = queue_.claim();
   EXPECT_FALSE(is_synced());
-  queue_.finish(*claim, Ending::done, "");
+  queue_.end(*claim, RunEnding::done, "");
   EXPECT_TRUE(is_synced());
   for (const auto& change : std::vector<std::function<void()>>{
            [&] { queue_.cancel(id); }, [&] { queue_.pause(id, true); }, [&] { queue_.retry(id); },
@@ -111,7 +111,7 @@ TEST_F(JobQueueTest, PromisesWaitForTheDiskAndLeasesDoNot) {
 TEST_F(JobQueueTest, FinishedCaseIsNeverClaimedAgain) {
   queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
   const auto claim = queue_.claim();
-  EXPECT_TRUE(queue_.finish(*claim, Ending::done, ""));
+  EXPECT_TRUE(queue_.end(*claim, RunEnding::done, ""));
   EXPECT_EQ(state_of(claim->case_id), "done");
   clock_.advance(24h);
   queue_.give_back_expired();
@@ -138,10 +138,10 @@ TEST_F(JobQueueTest, ExpiredLeaseGivesTheCaseToTheNextAndNotToTheLate) {
   EXPECT_EQ(next->case_id, late->case_id);
   EXPECT_EQ(next->attempt, 2);
   EXPECT_FALSE(queue_.renew(*late));
-  EXPECT_FALSE(queue_.finish(*late, Ending::failed, "too late"));
-  EXPECT_FALSE(queue_.crashed(*late, "too late"));
+  EXPECT_FALSE(queue_.end(*late, RunEnding::failed, "too late"));
+  EXPECT_FALSE(queue_.end(*late, RunEnding::crashed, "too late"));
   EXPECT_EQ(state_of(next->case_id), "running");
-  EXPECT_TRUE(queue_.finish(*next, Ending::done, ""));
+  EXPECT_TRUE(queue_.end(*next, RunEnding::done, ""));
 }
 
 TEST_F(JobQueueTest, ExpiredLeaseOfARunThatIsKnownIsRenewed) {
@@ -156,24 +156,25 @@ TEST_F(JobQueueTest, ExpiredLeaseOfARunThatIsKnownIsRenewed) {
 TEST_F(JobQueueTest, ResultIsRecordedOnce) {
   queue_.submit(two_cases_);
   const auto claim = queue_.claim();
-  EXPECT_TRUE(queue_.finish(*claim, Ending::done, ""));
-  EXPECT_FALSE(queue_.finish(*claim, Ending::failed, "again"));
+  EXPECT_TRUE(queue_.end(*claim, RunEnding::done, ""));
+  EXPECT_FALSE(queue_.end(*claim, RunEnding::failed, "again"));
   EXPECT_EQ(state_of(claim->case_id), "done");
 }
 
 TEST_F(JobQueueTest, InterruptionIsNoCrash) {
   queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
-  for (int time = 0; time < 5; ++time) EXPECT_TRUE(queue_.interrupted(*queue_.claim(), "power cut"));
+  for (int time = 0; time < 5; ++time)
+    EXPECT_TRUE(queue_.end(*queue_.claim(), RunEnding::interrupted, "power cut"));
   EXPECT_TRUE(queue_.claim());
 }
 
 TEST_F(JobQueueTest, SecondCrashFailsTheCaseAndKeepsTheReason) {
   queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
   const auto claim = queue_.claim();
-  queue_.crashed(*claim, "killed by signal 9");
+  queue_.end(*claim, RunEnding::crashed, "killed by signal 9");
   EXPECT_EQ(state_of(claim->case_id), "queued");
   clock_.advance(JobQueue::kBackOff);
-  queue_.crashed(*queue_.claim(), "killed by signal 11");
+  queue_.end(*queue_.claim(), RunEnding::crashed, "killed by signal 11");
   EXPECT_EQ(state_of(claim->case_id), "failed");
   EXPECT_EQ(message_of(claim->case_id), "killed by signal 11");
   EXPECT_EQ(count("attempts"), 2);
@@ -187,7 +188,7 @@ TEST_F(JobQueueTest, CancelledStudyLeavesTheQueueAtOnceAndItsRunsAreMarked) {
   EXPECT_TRUE(queue_.cancel(id));
   EXPECT_FALSE(queue_.claim());
   EXPECT_TRUE(queue_.is_to_be_cancelled(*running));
-  EXPECT_TRUE(queue_.interrupted(*running, "asked to"));
+  EXPECT_TRUE(queue_.end(*running, RunEnding::interrupted, "asked to"));
   EXPECT_EQ(state_of(running->case_id), "cancelled");
   EXPECT_EQ(last_ending_of(running->case_id), "interrupted");
 }
@@ -215,7 +216,7 @@ TEST_F(JobQueueTest, RunThatCompletesInSpiteOfACancellationKeepsItsAnswer) {
   const std::string id = queue_.submit(two_cases_).study_id;
   const auto running = queue_.claim();
   queue_.cancel(id);
-  EXPECT_TRUE(queue_.finish(*running, Ending::done, ""));
+  EXPECT_TRUE(queue_.end(*running, RunEnding::done, ""));
   EXPECT_EQ(state_of(running->case_id), "done");
 }
 
@@ -235,7 +236,7 @@ TEST_F(JobQueueTest, RunningClaimsAreFoundAgainWithTheirHandles) {
 TEST_F(JobQueueTest, CrashedCaseIsNotTriedAgainAtOnceAndHoldsNobodyUp) {
   queue_.submit(two_cases_);
   const auto crashed = queue_.claim();
-  queue_.crashed(*crashed, "killed by signal 9");
+  queue_.end(*crashed, RunEnding::crashed, "killed by signal 9");
   const auto other = queue_.claim();
   ASSERT_TRUE(other);
   EXPECT_NE(other->case_id, crashed->case_id);
@@ -246,7 +247,7 @@ TEST_F(JobQueueTest, CrashedCaseIsNotTriedAgainAtOnceAndHoldsNobodyUp) {
 
 TEST_F(JobQueueTest, BackOffEndsThoughTheClockWasSetBack) {
   queue_.submit(sample_study("one", {{"Ca", {0.25}}}));
-  queue_.crashed(*queue_.claim(), "killed by signal 9");
+  queue_.end(*queue_.claim(), RunEnding::crashed, "killed by signal 9");
   EXPECT_FALSE(queue_.claim());
   clock_.jump(-24h);
   EXPECT_TRUE(queue_.claim());
@@ -316,8 +317,8 @@ TEST_F(JobQueueTest, RequestThatIsRepeatedUnderItsKeyResumesNothing) {
 TEST_F(JobQueueTest, RetryQueuesTheFailedCasesAlone) {
   const std::string id = queue_.submit(two_cases_).study_id;
   const auto failed = queue_.claim();
-  queue_.finish(*failed, Ending::failed, "no memory");
-  queue_.finish(*queue_.claim(), Ending::diverged, "it tore");
+  queue_.end(*failed, RunEnding::failed, "no memory");
+  queue_.end(*queue_.claim(), RunEnding::diverged, "it tore");
   EXPECT_TRUE(queue_.retry(id));
   EXPECT_EQ(queue_.claim()->case_id, failed->case_id);
   EXPECT_FALSE(queue_.claim());
@@ -327,7 +328,7 @@ TEST_F(JobQueueTest, RetryQueuesTheFailedCasesAlone) {
 TEST_F(JobQueueTest, RetryOfACancelledStudyQueuesNothing) {
   const std::string id = queue_.submit(two_cases_).study_id;
   const auto failed = queue_.claim();
-  queue_.finish(*failed, Ending::failed, "no memory");
+  queue_.end(*failed, RunEnding::failed, "no memory");
   queue_.cancel(id);
   EXPECT_TRUE(queue_.retry(id));
   EXPECT_EQ(state_of(failed->case_id), "failed");
@@ -376,9 +377,9 @@ TEST_F(JobQueueTest, KeptSumsAreThoseOfACountAfterAnyHistory) {
     if (choice > 4 && choice < 8 && !running.empty()) {
       const Claim claim = running.back();
       running.pop_back();
-      if (choice == 5) queue_.finish(claim, random() % 2 ? Ending::failed : Ending::done, "");
-      if (choice == 6) queue_.crashed(claim, "it died");
-      if (choice == 7) queue_.interrupted(claim, "power cut");
+      if (choice == 5) queue_.end(claim, random() % 2 ? RunEnding::failed : RunEnding::done, "");
+      if (choice == 6) queue_.end(claim, RunEnding::crashed, "it died");
+      if (choice == 7) queue_.end(claim, RunEnding::interrupted, "power cut");
       if (choice == 5)
         store_result(database_, claim.case_id, {{"motion", random() % 2 ? "tumbling" : "undecided"}});
     }
@@ -411,7 +412,7 @@ TEST_F(JobQueueTest, PointsOfOneCaseAreAllKeptAndTheCaseCountsOnce) {
   EXPECT_EQ(counts(), "6 2 0 0 0");
   const auto claim = queue_.claim();
   EXPECT_EQ(counts(), "6 1 1 0 0");
-  queue_.finish(*claim, Ending::done, "");
+  queue_.end(*claim, RunEnding::done, "");
   store_result(database_, claim->case_id, {{"motion", "tumbling"}});
   EXPECT_EQ(counts(), "6 1 0 1 3");
   database_.execute_script(kRecount);
@@ -470,7 +471,7 @@ TEST_F(JobQueueTest, RunningCaseOfADeletedStudyEndsBeforeItGoes) {
   queue_.remove(id);
   EXPECT_TRUE(queue_.is_to_be_cancelled(claim));
   EXPECT_TRUE(queue_.delete_unwanted(10).empty());
-  EXPECT_TRUE(queue_.interrupted(claim, "stopped"));
+  EXPECT_TRUE(queue_.end(claim, RunEnding::interrupted, "stopped"));
   EXPECT_EQ(queue_.delete_unwanted(10).size(), 1u);
   EXPECT_EQ(count("cases"), 0);
 }
@@ -495,7 +496,7 @@ TEST_F(JobQueueTest, DeletedCaseIsRememberedUntilItsDirectoryIsGone) {
 TEST_F(JobQueueTest, CaseThatAnotherOneReplacesIsKeptWithIt) {
   const std::string id = queue_.submit(sample_study("one", {{"Ca", {0.25}}})).study_id;
   const Claim claim = queue_.claim().value();
-  queue_.finish(claim, Ending::failed, "no answer");
+  queue_.end(claim, RunEnding::failed, "no answer");
   ASSERT_TRUE(replace_failed(database_, id, "fine").empty());
   queue_.remove(queue_.submit(sample_study("again", {{"Ca", {0.25}}})).study_id);
   EXPECT_TRUE(queue_.delete_unwanted(10).empty());
@@ -510,7 +511,7 @@ TEST_F(JobQueueTest, TotalsFollowTheCasesAndNeverLoseAnAttempt) {
   };
   const std::string id = queue_.submit(two_cases_).study_id;
   EXPECT_EQ(total("cases", "queued"), 2);
-  queue_.finish(queue_.claim().value(), Ending::done, "");
+  queue_.end(queue_.claim().value(), RunEnding::done, "");
   EXPECT_EQ(total("cases", "queued"), 1);
   EXPECT_EQ(total("cases", "done"), 1);
   queue_.remove(id);

@@ -12,8 +12,6 @@
 namespace capstan {
 namespace {
 
-using Kind = RunOutcome::Kind;
-
 class OutcomeTest : public testing::Test {
  protected:
   void write(const char* file, const std::string& text) { std::ofstream(directory_.path() / file) << text; }
@@ -31,7 +29,7 @@ TEST_F(OutcomeTest, AnswerIsDone) {
   for (const char* stop : {"reached_end", "classified", "steady"}) {
     write("result.json", std::string("{\"stop\":\"") + stop + "\",\"motion\":\"tumbling\"}");
     const RunOutcome outcome = exited_with(0);
-    EXPECT_EQ(outcome.kind, Kind::done);
+    EXPECT_EQ(outcome.ending, RunEnding::done);
     EXPECT_EQ((*outcome.result)["motion"], "tumbling");
   }
 }
@@ -39,7 +37,7 @@ TEST_F(OutcomeTest, AnswerIsDone) {
 TEST_F(OutcomeTest, NumericalFailureIsDivergedWithItsMessage) {
   write("result.json", R"({"stop": "not_converged", "message": "no flow at kt = 3"})");
   const RunOutcome outcome = exited_with(3);
-  EXPECT_EQ(outcome.kind, Kind::diverged);
+  EXPECT_EQ(outcome.ending, RunEnding::diverged);
   EXPECT_EQ(outcome.message, "no flow at kt = 3");
 }
 
@@ -52,40 +50,40 @@ TEST_F(OutcomeTest, ARunWithoutAnAnswerHasNoMotion) {
 
 TEST_F(OutcomeTest, PublishedResultCountsHoweverTheProcessEndedAfterwards) {
   write("result.json", R"({"stop": "reached_end"})");
-  EXPECT_EQ(killed_by(SIGKILL).kind, Kind::done);
-  EXPECT_EQ(outcome_of({}, RunDirectory(directory_.path())).kind, Kind::done);
+  EXPECT_EQ(killed_by(SIGKILL).ending, RunEnding::done);
+  EXPECT_EQ(outcome_of({}, RunDirectory(directory_.path())).ending, RunEnding::done);
 }
 
 TEST_F(OutcomeTest, RefusedCaseFailsWithWhatWasSaid) {
   write("log", "/V  is 0\n");
   const RunOutcome outcome = exited_with(2);
-  EXPECT_EQ(outcome.kind, Kind::failed);
+  EXPECT_EQ(outcome.ending, RunEnding::failed);
   EXPECT_NE(outcome.message.find("/V  is 0"), std::string::npos);
 }
 
 TEST_F(OutcomeTest, InterruptionGoesBackToTheQueue) {
-  EXPECT_EQ(exited_with(75).kind, Kind::interrupted);
-  EXPECT_EQ(outcome_of({}, RunDirectory(directory_.path())).kind, Kind::interrupted);
+  EXPECT_EQ(exited_with(75).ending, RunEnding::interrupted);
+  EXPECT_EQ(outcome_of({}, RunDirectory(directory_.path())).ending, RunEnding::interrupted);
 }
 
 TEST_F(OutcomeTest, AnyOtherEndIsACrash) {
-  EXPECT_EQ(exited_with(1).kind, Kind::crashed);
-  EXPECT_EQ(exited_with(0).kind, Kind::crashed);  // said done, but left no result
+  EXPECT_EQ(exited_with(1).ending, RunEnding::crashed);
+  EXPECT_EQ(exited_with(0).ending, RunEnding::crashed);  // said done, but left no result
   const RunOutcome outcome = killed_by(SIGSEGV);
-  EXPECT_EQ(outcome.kind, Kind::crashed);
+  EXPECT_EQ(outcome.ending, RunEnding::crashed);
   EXPECT_EQ(outcome.message, "killed by signal 11 (Segmentation fault)");
 }
 
 TEST_F(OutcomeTest, ResultThatCannotBeReadIsNone) {
   for (const char* text : {"", "{\"stop\":", "[]", "null"}) {
     write("result.json", text);
-    EXPECT_EQ(exited_with(0).kind, Kind::crashed) << text;
+    EXPECT_EQ(exited_with(0).ending, RunEnding::crashed) << text;
   }
 }
 
 TEST_F(OutcomeTest, ResultOfALaterFormatIsNotGuessedAt) {
   write("result.json", R"({"format": 2, "stop": "reached_end"})");
-  EXPECT_EQ(exited_with(0).kind, Kind::failed);
+  EXPECT_EQ(exited_with(0).ending, RunEnding::failed);
   EXPECT_EQ(exited_with(0).message, "result.json has format 2, this program reads format 1");
 }
 
@@ -93,7 +91,7 @@ TEST_F(OutcomeTest, ResultOfALaterFormatIsNotGuessedAt) {
 TEST(OldRunDirectory, CompleteOneIsRecorded) {
   const RunOutcome outcome =
       outcome_of({}, RunDirectory(source_directory() / "tests/reference/run_directory_1"));
-  EXPECT_EQ(outcome.kind, Kind::done);
+  EXPECT_EQ(outcome.ending, RunEnding::done);
   EXPECT_EQ((*outcome.result)["motion"], "undecided");
   HistoryTail history(source_directory() / "tests/reference/run_directory_1/history.jsonl");
   EXPECT_EQ(history.read_new().size(), 11u);

@@ -1,0 +1,22 @@
+#include "runner/queue/case_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include "solver/run_directory/run_ending.hpp"
+
+namespace capstan {
+namespace {
+
+TEST(CaseState, IsReadBackFromItsWord) {
+  for (const CaseState state : kCaseStates) EXPECT_EQ(parse_case_state(to_string(state)), state);
+  EXPECT_FALSE(parse_case_state("interrupted"));
+}
+
+/// A run that ended with or without an answer gives its case the state of that name.
+TEST(CaseState, HasTheWordOfTheEndingThatLedToIt) {
+  for (const RunEnding ending : {RunEnding::done, RunEnding::failed, RunEnding::diverged})
+    EXPECT_TRUE(has_ended(parse_case_state(to_string(ending)).value()));
+}
+
+}  // namespace
+}  // namespace capstan
