@@ -2,14 +2,14 @@
 
 #include <httplib.h>
 
-#include "runner/web/access.hpp"
+#include "runner/web/bearer_token.hpp"
 
 namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
 
-[[noreturn]] void refuse(const httplib::Response& response) {
+[[noreturn]] void throw_refused(const httplib::Response& response) {
   const ordered_json body = ordered_json::parse(response.body, nullptr, false);
   if (!body.is_object() || !body.contains("detail"))
     throw std::runtime_error("the server answered with status " + std::to_string(response.status));
@@ -31,7 +31,7 @@ std::string why_unreachable(httplib::Error error, const std::string& server) {
 
 ordered_json content(const httplib::Result& result, const std::string& server) {
   if (!result) throw Unreachable(why_unreachable(result.error(), server));
-  if (result->status >= 300) refuse(*result);
+  if (result->status >= 300) throw_refused(*result);
   return ordered_json::parse(result->body);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A client of the server: JSON in and out, failures as exceptions that say what to do.
+// The client of the HTTP API that the commands use. Errors are exceptions whose text says what to do.
 #include <functional>
 #include <map>
 #include <memory>
@@ -16,13 +16,13 @@ class ClientImpl;
 
 namespace capstan {
 
-/// No server answers.
+/// The server could not be reached.
 class Unreachable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The server refused (problem+json).
+/// The server answered with an error (application/problem+json).
 class Refused : public std::runtime_error {
  public:
   Refused(int http_status, const std::string& detail, Issues found)
@@ -33,17 +33,18 @@ class Refused : public std::runtime_error {
 
 class Client {
  public:
-  /// Throws std::invalid_argument for what is no URL.
+  /// Throws std::invalid_argument for an invalid URL.
   explicit Client(const std::string& server);
   ~Client();
 
-  /// \param query  parameters, not encoded; a name may stand several times
+  /// The JSON of the response. All requests throw Unreachable or Refused.
+  /// \param query  parameters, not encoded; names may repeat
   nlohmann::ordered_json get(const std::string& path,
                              const std::multimap<std::string, std::string>& query = {});
-  /// The items of a list, page by page. \param list  their key in each page
+  /// Calls `use` with the items of each page of a list. \param list  their key in a page
   void for_each_page(const std::string& path, const std::string& list,
                      const std::function<void(const nlohmann::ordered_json& items)>& use);
-  /// All items of a list that comes in pages. \param list  their key in each page
+  /// All items of a list. \param list  their key in a page
   nlohmann::ordered_json get_all(const std::string& path, const std::string& list);
   nlohmann::ordered_json post(const std::string& path, const std::string& body);
   nlohmann::ordered_json remove(const std::string& path);
@@ -51,6 +52,8 @@ class Client {
  private:
   std::string server_;
   std::string prefix_;  ///< of all paths
+  /// The public base of the library's plain and TLS clients. httplib::Client, which chooses between them by
+  /// URL, does not accept IPv6 addresses with letters.
   std::unique_ptr<httplib::ClientImpl> http_;
 };
 

@@ -12,7 +12,8 @@
 #include "runner/daemon/local_executor.hpp"
 #include "runner/daemon/loop.hpp"
 #include "runner/doctor/database_checks.hpp"
-#include "runner/web/server.hpp"
+#include "runner/web/bearer_token.hpp"
+#include "runner/web/http_server.hpp"
 #include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
@@ -49,8 +50,8 @@ void end_soon(int code) {
 }  // namespace
 
 int serve(const ServeArguments& arguments) {
-  const Address address = parse_address(arguments.listen);
-  const Access access{arguments.hosts, token_of_environment()};
+  ListenAddress address = parse_listen_address(arguments.listen);
+  const AccessControl access{arguments.hosts, token_of_environment()};
   if (!is_loopback(address) && !access.token)
     throw std::invalid_argument("refusing to listen on " + address.host +
                                 ", where other machines can reach it, without a token: set CAPSTAN_TOKEN or "
@@ -63,7 +64,8 @@ int serve(const ServeArguments& arguments) {
   const DataDirectory data(arguments.data);
   LocalExecutor executor;
   std::optional<Service> service;
-  Server server(data.path(), address, access);
+  HttpServer server(data.path(), access);
+  address = server.listen_at(address);
   {
     const EndAtOnce ends_at_once;
     refuse_damaged_database(data.database());
@@ -72,13 +74,13 @@ int serve(const ServeArguments& arguments) {
                     std::chrono::seconds(arguments.lease_seconds));
   }
   service->on_change(wake_loop);
-  server.serve(*service);
-  std::cout << "Capstan serves " << url_of(server.address()) << " with " << arguments.cores
+  server.set_service(*service);
+  std::cout << "Capstan serves " << url_of(address) << " with " << arguments.cores
             << (arguments.cores == 1 ? " core" : " cores") << ", data in " << data.path().string()
             << std::endl;
   if (!std::cout) return kExitError;  // whoever waits for this line would wait for ever
   const bool is_recorded = work_until_terminated(
-      *service, [&] { server.reopen_log(); }, [&] { server.give_back_memory(); });
+      *service, [&] { server.reopen_log(); }, [&] { server.trim_memory(); });
   const int code = is_recorded ? kExitDone : kExitError;
   end_soon(code);
   return code;

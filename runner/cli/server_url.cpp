@@ -25,7 +25,7 @@ bool is_ipv6(const std::string& host) {
   return inet_pton(AF_INET6, host.c_str(), &address) == 1;
 }
 
-int usual_port(bool is_secure) { return is_secure ? 443 : 80; }
+int default_port(bool is_secure) { return is_secure ? 443 : 80; }
 
 int port_of(const std::string& digits, const std::string& text) {
   constexpr int kMax = 65535;
@@ -39,7 +39,7 @@ int port_of(const std::string& digits, const std::string& text) {
 std::string ServerUrl::authority() const {
   const bool is_address = host.find(':') != std::string::npos;
   const std::string name = is_address ? "[" + host + "]" : host;
-  return port == usual_port(is_secure) ? name : name + ":" + std::to_string(port);
+  return port == default_port(is_secure) ? name : name + ":" + std::to_string(port);
 }
 
 ServerUrl parse_server_url(const std::string& text) {
@@ -53,7 +53,7 @@ ServerUrl parse_server_url(const std::string& text) {
   if (part[2].matched && !is_ipv6(part[2])) refuse(text, ": brackets are for an IPv6 address");
   const bool is_secure = scheme == "https";
   return {is_secure, part[2].matched ? part[2] : part[3],
-          port.empty() ? usual_port(is_secure) : port_of(port, text), without_trailing_slashes(part[5])};
+          port.empty() ? default_port(is_secure) : port_of(port, text), without_trailing_slashes(part[5])};
 }
 
 }  // namespace capstan

@@ -1,89 +1,88 @@
 #pragma once
-// One client's connection. Its request is taken in as the bytes come and its answer is sent as the client
-// takes it, so that no thread ever waits for a client.
+// One client's connection, which carries one request and its response. All operations are non-blocking: the
+// request is collected as its bytes arrive, and what the client does not read at once is kept to be sent
+// later.
 #include <httplib.h>
 
 #include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
-#include "runner/web/head.hpp"
-#include "runner/web/message.hpp"
+#include "runner/web/response.hpp"
 
 namespace capstan {
 
-class Connection : public httplib::Stream {
+class Connection {
  public:
   using Steady = std::chrono::steady_clock;
-  /// Why a request with this head is not read further, if it is not.
-  using Judge = std::function<std::optional<Response>(const Head&)>;
+  /// Checks a request as soon as its head is complete. Returns a refusal, or nothing if the body shall be
+  /// received.
+  using HeadCheck = std::function<std::optional<Response>(const httplib::Request&)>;
 
-  /// Owns the socket.
+  /// Owns the socket from now on.
   explicit Connection(int socket);
-  ~Connection() override;
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
 
-  enum class Input { incomplete, complete, ended };
-  /// Takes what has come. Complete: the whole request is there, or a reason to refuse it.
-  Input take_in(const Judge& judge);
-  /// What has come is forgotten.
+  // The request:
+  enum class Input { incomplete, complete, closed };
+  /// Receives what has arrived. `complete`: the request can be answered, be it with a refusal.
+  Input receive(const HeadCheck& check);
+  /// Frees what was received of the request; the refusal is its response.
   void refuse_with(Response refusal);
   const std::optional<Response>& refusal() const { return refusal_; }
-  const Head& head() const { return head_; }
-  bool has_begun() const { return !received_.empty(); }
-  bool has_body() const { return !refusal_ && head_.content_length > 0; }
+  /// As far as it was received: with the body once it is complete.
+  const httplib::Request& request() const { return request_; }
+  bool has_begun() const { return has_head_ || !received_.empty(); }
+  bool has_body() const { return !refusal_ && content_length_ > 0; }
 
-  /// Sends what the client takes now; false once it takes nothing more.
-  bool send_unsent() const;
+  // The response:
+  void send(const Response& response);
+  /// Sends the head of a response and then its parts, until the stream or its connection ends.
+  /// \param should_end  asked before each part
+  void send_stream(const Response& response, const std::function<bool()>& should_end);
+  /// Sends what the client accepts now; false if the connection is broken.
+  bool send_unsent();
   std::size_t unsent() const { return unsent_.size() - sent_; }
-  /// After this the rest is not sent any more.
-  Steady::time_point send_until() const;
+  /// The client has until then to accept the unsent rest.
+  Steady::time_point send_deadline() const;
 
-  /// Writes an answer that the library has no part in.
-  void answer(const Response& response);
-  /// Nothing more is sent; the client reads what was.
+  // Lingering close (RFC 9112, 9.6): closing a socket with unread input resets the connection, and the client
+  // may lose the response. So the server first ends its own side and discards what the client still sends.
   void end_sending();
-  /// Something has come that nobody has read, or may still come.
-  bool has_unread() const;
-  /// Takes what has come and forgets it; false at its end, or when it is too much.
-  bool absorb();
-
-  bool is_readable() const override { return position_ < request_size(); }
-  bool is_writable() const override;  ///< the client is still there
-  ssize_t read(char* to, std::size_t size) override;
-  ssize_t write(const char* from, std::size_t size) override;
-  using httplib::Stream::write;
-  void get_remote_ip_and_port(std::string& ip, int&) const override { ip = peer_; }
-  void get_local_ip_and_port(std::string&, int&) const override {}
-  /// The library asks for it only to refuse descriptors from 1024 on, which select() could not take.
-  socket_t socket() const override { return 0; }
+  bool has_unread_input() const;  ///< some has arrived, or may still arrive
+  /// Discards what has arrived. False once the client has closed its side, or has sent too much.
+  bool discard_input();
 
   int descriptor() const { return socket_; }
   Steady::time_point accepted() const { return accepted_; }
-  std::size_t bytes_held() const { return received_.size() + unsent(); }
-  const std::string& peer() const { return peer_; }  ///< its address, "-" if it has none
-  int status() const { return status_; }             ///< of the last answer
+  std::size_t bytes_held() const { return received_.size() + request_.body.size() + unsent(); }
+  const std::string& peer() const { return peer_; }  ///< numeric address, "-" if it has none
+  int status() const { return status_; }             ///< of the response
   std::size_t bytes_written() const { return bytes_written_; }
 
  private:
-  std::size_t request_size() const { return head_size_ + head_.content_length; }
-  bool is_complete(const Judge& judge);
-  bool read_head(const Judge& judge);
+  bool is_complete(const HeadCheck& check);
+  bool parse_received_head(const HeadCheck& check);
+  bool write(std::string_view bytes);
+  bool accepts_more();
 
-  int socket_;
-  std::string peer_;
-  Steady::time_point accepted_ = Steady::now();
-  std::string received_;  ///< the head and the body, as far as they have come
-  std::size_t head_size_ = 0;
-  Head head_;
+  const int socket_;
+  const std::string peer_;
+  const Steady::time_point accepted_ = Steady::now();
+  std::string received_;  ///< the head, and after has_head_ the body, as far as they have arrived
+  bool has_head_ = false;
+  std::size_t content_length_ = 0;
+  httplib::Request request_;
   std::optional<Response> refusal_;
-  std::size_t position_ = 0;  ///< of read() in what was received
-  // What the client has not taken yet changes also where the library only asks whether it is there:
-  mutable std::string unsent_;
-  mutable std::size_t sent_ = 0;  ///< of those
-  mutable bool is_gone_ = false;
-  Steady::time_point stuck_since_;
-  std::size_t lingered_bytes_ = 0;
+  std::string unsent_;
+  std::size_t sent_ = 0;  ///< bytes of unsent_ that have been sent meanwhile
+  bool is_broken_ = false;
+  Steady::time_point unsent_since_;
+  std::size_t discarded_bytes_ = 0;
   int status_ = 0;
   std::size_t bytes_written_ = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Connections whose request is complete and waits for a thread.
+// Connections whose request is complete and waits for a request thread.
 #include <algorithm>
 #include <condition_variable>
 #include <deque>
@@ -12,7 +12,8 @@ namespace capstan {
 
 class ConnectionQueue {
  public:
-  /// The cases of a large study take a second: the other threads stay free for short answers.
+  /// At most as many requests with a body are answered at a time: a large study takes a second, and the other
+  /// threads stay free for short requests.
   static constexpr int kMaxBodies = 6;
 
   void push(std::unique_ptr<Connection> connection) {
@@ -22,7 +23,7 @@ class ConnectionQueue {
     changed_.notify_one();
   }
 
-  /// Waits for a connection that may be answered now; nothing once the queue is closed and empty.
+  /// Waits for a connection that may be answered now. Returns nothing once the queue is closed and empty.
   std::unique_ptr<Connection> pop() {
     std::unique_lock lock(mutex_);
     Waiting::iterator next;
@@ -38,12 +39,26 @@ class ConnectionQueue {
     return first;
   }
 
-  /// Of a connection that pop() gave.
+  /// To be called for each connection that pop() returned, once it is answered.
   void was_answered(const Connection& connection) {
     const std::lock_guard lock(mutex_);
     if (connection.has_body()) --bodies_;
     changed_.notify_all();
   }
+
+  /// Calls was_answered() when it goes out of scope.
+  class InService {
+   public:
+    InService(ConnectionQueue& queue, const Connection& connection)
+        : queue_(queue), connection_(connection) {}
+    ~InService() { queue_.was_answered(connection_); }
+    InService(const InService&) = delete;
+    InService& operator=(const InService&) = delete;
+
+   private:
+    ConnectionQueue& queue_;
+    const Connection& connection_;
+  };
 
   void close() {
     const std::lock_guard lock(mutex_);
@@ -56,7 +71,7 @@ class ConnectionQueue {
     return waiting_.size();
   }
 
-  /// Of their requests.
+  /// Of the requests that wait.
   std::size_t bytes() {
     const std::lock_guard lock(mutex_);
     return bytes_;

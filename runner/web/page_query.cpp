@@ -24,7 +24,7 @@ std::string name_of_list(const std::string& path, const CaseFilter& filter) {
   return sha256_hex(name).substr(0, kListDigits);
 }
 
-/// Of the list, and where in it.
+/// The list, then the position in it.
 std::string cursor(const std::string& list, std::int64_t position) {
   std::array<char, 20> digits{};
   const auto end = std::to_chars(digits.begin(), digits.end(), position, 16).ptr;
@@ -44,12 +44,12 @@ void read_after(const std::string& value, PageQuery& page) {
 
 }  // namespace
 
-PageQuery read_page_query(const Request& request) {
+PageQuery read_page_query(const httplib::Request& request) {
   PageQuery page;
-  for (const auto& [key, value] : request.query)
+  for (const auto& [key, value] : request.params)
     if (key != "limit" && key != "after") page.rest.emplace_back(key, value);
   page.list = name_of_list(request.path, page.rest);
-  for (const auto& [key, value] : request.query) {
+  for (const auto& [key, value] : request.params) {
     if (key == "limit") page.wanted.limit = number_of<int>(value, 10).value_or(PageRequest::kMax);
     if (key == "after") read_after(value, page);
   }

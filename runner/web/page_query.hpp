@@ -1,21 +1,23 @@
 #pragma once
-// Lists in pages: `?limit=100`, and `?after=` with what the last page gave as `next`.
+// Lists are returned in pages: `?limit=100` bounds a page, `?after=` continues after the page that returned
+// this cursor as `next`.
+#include <httplib.h>
+
 #include "runner/queries/queries.hpp"
-#include "runner/web/message.hpp"
 
 namespace capstan {
 
 struct PageQuery {
   PageRequest wanted;
-  CaseFilter rest;  ///< the parameters that are not of the page
+  CaseFilter rest;  ///< the other parameters
   Issues issues;
-  std::string list;  ///< names the list by path and filter: the cursor of another one is refused
+  std::string list;  ///< identifies path and filter, so that the cursor of another list is refused
 };
 
-/// The parameters have been checked.
-PageQuery read_page_query(const Request& request);
+/// \param request  with parameters that the route accepts
+PageQuery read_page_query(const httplib::Request& request);
 
-/// Adds `next`, a cursor, or null on the last page.
+/// Adds `next`: a cursor, or null on the last page.
 nlohmann::ordered_json with_next(nlohmann::ordered_json answer, const Page& page, const PageQuery& asked);
 
 }  // namespace capstan

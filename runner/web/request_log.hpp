@@ -1,5 +1,5 @@
 #pragma once
-// A line a request, in a file that cannot fill the disk.
+// A log with one line a request. Its files are limited in size.
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -10,17 +10,18 @@ namespace capstan {
 
 class RequestLog {
  public:
-  /// \param most  bytes: beyond, the file becomes FILE.1 and a new one is begun
-  explicit RequestLog(std::filesystem::path file, std::size_t most = 16 << 20);
+  /// \param max_bytes  a file of that size is renamed to FILE.1, replacing the one before, and a new one is
+  /// begun
+  explicit RequestLog(std::filesystem::path file, std::size_t max_bytes = 16 << 20);
 
-  /// From any thread. Characters that would break a line or a terminal are replaced.
+  /// From any thread. Replaces characters that could break the line or control a terminal.
   void write(const std::string& line);
-  /// Goes on in the file of that name, whatever has become of the one that was open.
+  /// Closes the file and opens the one that has its name now (log rotation).
   void reopen();
 
  private:
-  std::filesystem::path file_;
-  const std::size_t most_;
+  const std::filesystem::path file_;
+  const std::size_t max_bytes_;
   std::mutex mutex_;
   std::ofstream stream_;
 };

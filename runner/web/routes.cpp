@@ -4,8 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "runner/web/target.hpp"
-#include "solver/case/content_id.hpp"
+#include "runner/web/entity_tag.hpp"
+#include "runner/web/request_checks.hpp"
+#include "runner/web/request_target.hpp"
 
 namespace capstan {
 namespace {
@@ -39,7 +40,8 @@ constexpr Route kRoutes[] = {
     {"GET", "/v1/ids/{id}", get_ids},
 };
 
-/// The path's id ("" on a route without one), if the path matches the route's.
+/// The segment that stands for "{id}", or "" if the pattern has none; nothing if the path does not match.
+/// \param segments  of the path, decoded
 std::optional<std::string> match(std::string_view pattern, const std::vector<std::string>& segments) {
   const std::vector<std::string> parts = path_segments(pattern);
   if (parts.size() != segments.size()) return std::nullopt;
@@ -52,11 +54,12 @@ std::optional<std::string> match(std::string_view pattern, const std::vector<std
   return id;
 }
 
-/// A query and a body that the route does not know are refused, not ignored.
-std::optional<Response> refuse_unknown(const Route& route, const Request& request) {
-  const Issues query = check_query(route.query ? route.query() : std::span<const Parameter>(), request.query);
+/// 400 for a query, 422 for a body that the route does not accept.
+std::optional<Response> refuse_unknown(const Route& route, const httplib::Request& request) {
+  const Issues query =
+      check_query(route.query ? route.query() : std::span<const QueryParameter>(), request.params);
   if (!query.empty()) return problem(400, "Invalid query", "the query makes no sense here", query);
-  const Issues body = route.reads_body ? Issues() : check_body(route.body_keys, request.body);
+  const Issues body = route.checks_body ? Issues() : check_body(route.body_keys, request.body);
   if (!body.empty()) return problem(422, "Invalid body", "nothing was changed", body);
   return std::nullopt;
 }
@@ -67,23 +70,31 @@ Response not_allowed(const std::string& allowed) {
   return response;
 }
 
-/// One of a list such as `"a", W/"b"`, or any for `*`. A tag of ours is hexadecimal, so no other can hold it.
-bool names(const std::string& list, const std::string& tag) {
-  return list == "*" || list.find(tag) != list.npos;
+/// HEAD is answered as GET; the connection omits the body.
+Response dispatch(Service& service, const httplib::Request& request) {
+  const std::string method = request.method == "HEAD" ? "GET" : request.method;
+  const std::vector<std::string> segments = path_segments(request.path);
+  std::string allowed;
+  for (const Route& route : kRoutes) {
+    const auto id = match(route.path, segments);
+    if (!id) continue;
+    if (route.method == method) {
+      if (auto refusal = refuse_unknown(route, request)) return *refusal;
+      return with_entity_tag(route.handler(service, request, *id), request);
+    }
+    allowed += (allowed.empty() ? "" : ", ") + std::string(route.method);
+  }
+  return allowed.empty() ? problem(404, "Not found", "there is nothing at " + request.path)
+                         : not_allowed(allowed);
 }
 
-/// A strong tag: equal tags, equal bytes. Who has those already is told so.
-Response tagged(Response response, const Request& request) {
-  if (request.method != "GET" || response.status != 200 || response.next) return response;
-  const std::string tag = '"' + sha256_hex(response.body).substr(0, 32) + '"';
-  if (names(request.if_none_match, tag)) response = {304, response.content_type, "", response.headers};
-  response.headers["ETag"] = tag;
-  return response;
-}
-
-/// SQLite has no checksums: damage may be seen only when a page is read.
-Response damaged(Service& service, const Request& request, const std::string& what) {
+void log_error(const httplib::Request& request, const std::string& what) {
   std::clog << "capstan: " << request.method << ' ' << request.path << ": " << what << std::endl;
+}
+
+/// SQLite has no checksums: damage is noticed only when a damaged page is read.
+Response report_damage(Service& service, const httplib::Request& request, const std::string& what) {
+  log_error(request, what);
   service.report_damage(what);
   return problem(503, "Not available", what);
 }
@@ -92,36 +103,24 @@ Response damaged(Service& service, const Request& request, const std::string& wh
 
 std::span<const Route> routes() { return kRoutes; }
 
-Response respond(Service& service, const Request& request) try {
-  std::string allowed;
-  const std::vector<std::string> segments = path_segments(request.path);
-  for (const Route& route : kRoutes) {
-    const auto id = match(route.path, segments);
-    if (!id) continue;
-    if (route.method == request.method) {
-      if (auto refusal = refuse_unknown(route, request)) return *refusal;
-      return tagged(route.handler(service, request, *id), request);
-    }
-    allowed += (allowed.empty() ? "" : ", ") + std::string(route.method);
-  }
-  return allowed.empty() ? problem(404, "Not found", "there is nothing at " + request.path)
-                         : not_allowed(allowed);
+Response respond(Service& service, const httplib::Request& request) try {
+  return dispatch(service, request);
 } catch (const KeyReused& reuse) {
   return problem(422, "Idempotency key reused", reuse.what());
 } catch (const DatabaseDamaged& error) {
-  return damaged(service, request, error.what());
+  return report_damage(service, request, error.what());
 } catch (
-    const nlohmann::json::parse_error& error) {  // of what is stored: what clients send is parsed without
-  return damaged(
+    const nlohmann::json::parse_error& error) {  // of a stored document: bodies are parsed without exceptions
+  return report_damage(
       service, request,
       std::string("a stored document cannot be read (") + error.what() + ")" + kWhatToDoAboutDamage);
 } catch (const DatabaseUnavailable& error) {
-  std::clog << "capstan: " << request.method << ' ' << request.path << ": " << error.what() << std::endl;
+  log_error(request, error.what());
   Response refusal = problem(503, "Not available", error.what());
   refusal.headers["Retry-After"] = "5";
   return refusal;
 } catch (const std::exception& error) {
-  std::clog << "capstan: " << request.method << ' ' << request.path << ": " << error.what() << std::endl;
+  log_error(request, error.what());
   return problem(500, "Internal error", error.what());
 }
 

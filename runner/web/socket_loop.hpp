@@ -1,87 +1,76 @@
 #pragma once
-// One thread that waits for all clients: it accepts, takes requests in, sends what clients are slow to take,
-// and closes. However many clients are silent or slow, a request that is complete finds a thread.
+// One thread that waits for all clients. It accepts connections, receives requests, sends the rest of
+// responses that clients are slow to read, and closes connections. So a complete request finds a free request
+// thread, however many clients are silent or slow.
+//
+//   accept → receiving → (queue: a request thread writes the response) → sending → lingering → closed
 #include <chrono>
-#include <condition_variable>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <thread>
-#include <vector>
 
 #include "runner/web/connection.hpp"
 #include "runner/web/connection_queue.hpp"
+#include "runner/web/loop_messages.hpp"
+#include "runner/web/watched_connections.hpp"
 
 namespace capstan {
 
 class SocketLoop {
  public:
-  /// A request that is not complete by then is refused.
-  static constexpr std::chrono::seconds kMaxReceive{5};
-  /// Beyond, the client with the most connections loses the oldest of those whose request is incomplete.
+  /// From accepting a connection; a request that is still incomplete is refused.
+  static constexpr std::chrono::seconds kMaxReceiveTime{5};
+  /// With more, the client with the most connections loses the oldest one whose request is incomplete.
   static constexpr std::size_t kMaxConnections = 1024;
-  static constexpr std::size_t kMaxBytes = 64 << 20;  ///< of requests and answers that are under way
+  static constexpr std::size_t kMaxBytes = 64 << 20;  ///< of all requests and responses held in memory
 
-  /// Complete requests, and those to be refused, go to the queue.
-  SocketLoop(ConnectionQueue& complete, Connection::Judge judge);
+  /// \param ready  receives the connections whose request is complete, or is to be refused
+  SocketLoop(ConnectionQueue& ready, Connection::HeadCheck check);
+  /// Clients have a second to read their responses.
   ~SocketLoop();
   SocketLoop(const SocketLoop&) = delete;
   SocketLoop& operator=(const SocketLoop&) = delete;
 
   // From any thread:
-  /// \param listening  stays the caller's
-  void listen(int listening);
-  /// Takes over a connection that somebody else has accepted.
-  void adopt(int socket);
-  /// Sends the rest of an answer, and closes.
+  /// \param socket  a listening socket; the caller closes it
+  void listen(int socket) { messages_.listen(socket); }
+  /// Takes ownership of a connection that was accepted elsewhere.
+  void adopt(int socket) { messages_.adopt(socket); }
+  /// Sends the rest of a response and closes the connection.
   void finish(std::unique_ptr<Connection> connection);
-  /// Accepts and receives nothing more: requests that have begun are refused. On return they are in the
+  /// Stops accepting and receiving: incomplete requests are refused. Returns when the refusals are in the
   /// queue.
-  void stop_receiving();
+  void stop_receiving() { messages_.stop_receiving(); }
 
  private:
   using Steady = Connection::Steady;
-  enum class Phase { receiving, sending, lingering };
-  struct Watched {
-    std::unique_ptr<Connection> connection;
-    Phase phase;
-    Steady::time_point until;
-  };
-  using Place = std::map<int, Watched>::iterator;
+  using Phase = WatchedConnections::Phase;
+  using Iterator = WatchedConnections::Iterator;
 
   void run();
-  bool has_ended();
-  void take_messages();
+  void handle_event(int descriptor);
   void accept_all();
-  void watch(std::unique_ptr<Connection> connection, Phase phase, Steady::time_point until);
-  std::unique_ptr<Connection> take(Place place);
-  void look_at(int descriptor);
-  void receive(Place place);
-  void send(Place place);
-  void linger(Place place);
-  void end_late();
+  void receive(Iterator watched);
+  void send(Iterator watched);
+  void linger(Iterator watched);
+  void process_messages();
+  void start_listening(int socket);
+  void start_receiving(int socket);
+  void start_finishing(std::unique_ptr<Connection> connection);
+  void close_expired();
   void end_receiving();
-  void refuse(Place place, Response refusal);
-  Place victim(Phase phase);
-  bool make_room();
+  void refuse(Iterator watched, Response refusal);
   bool is_full();
+  bool evict_one();
+  bool has_ended() const;
 
-  ConnectionQueue& complete_;
-  const Connection::Judge judge_;
-  const std::size_t most_;
-  const int epoll_, wake_;
+  ConnectionQueue& ready_;
+  const Connection::HeadCheck check_;
+  const std::size_t max_connections_;
+  Epoll epoll_;
+  LoopMessages messages_;
   int listening_ = -1;
-  std::map<int, Watched> watched_;  ///< by descriptor
-  std::size_t bytes_held_ = 0;
-
-  std::mutex mutex_;  ///< guards what follows: messages from other threads
-  std::vector<int> adopted_;
-  std::vector<std::unique_ptr<Connection>> to_finish_;
-  int to_listen_ = -1;
-  bool is_stopped_ = false, has_stopped_ = false, is_ending_ = false;
-  std::condition_variable stopped_;
-
-  Steady::time_point end_ = Steady::time_point::max();
+  WatchedConnections watched_{epoll_};
+  Steady::time_point end_ = Steady::time_point::max();  ///< the loop runs no longer than this
   std::thread thread_;
 };
 

@@ -6,7 +6,7 @@
 namespace capstan {
 namespace {
 
-constexpr const char* kComeAgain = "retry: 1000\n\n";  // ms
+constexpr const char* kReconnect = "retry: 1000\n\n";  // milliseconds until the client reconnects
 
 bool has_ended(const nlohmann::ordered_json& study) {
   return study["cases"]["queued"] == 0 && study["cases"]["running"] == 0;
@@ -25,7 +25,7 @@ std::optional<std::string> StudyEvents::next(Database& database, Time now) {
   is_over_ = has_ended(*study) || now - begin_ >= kMax;
   const std::string data = study->dump();
   const std::string id = sha256_hex(data).substr(0, 16);
-  std::string text = is_over_ && !has_ended(*study) ? kComeAgain : "";
+  std::string text = is_over_ && !has_ended(*study) ? kReconnect : "";
   if (id != last_id_) text += event(has_ended(*study) ? "end" : "progress", id, data);
   last_id_ = id;
   return text;

@@ -1,5 +1,5 @@
 #pragma once
-// What a client is sent that follows a study: server-sent events (WHATWG HTML, 9.2).
+// The server-sent events of a study (WHATWG HTML, 9.2), for clients that follow its progress.
 #include <optional>
 #include <string>
 
@@ -8,19 +8,20 @@
 
 namespace capstan {
 
-/// Each event is the whole study as it stands, and its id names that state: whoever comes again with the last
-/// id that he saw misses nothing that still holds, also of a server that was started again.
+/// Each event carries the whole study, and the id of an event is a digest of that. A client that reconnects
+/// with the last id it has seen is sent the present state unless it has that already, also by a restarted
+/// server.
 class StudyEvents {
  public:
-  /// Then the client comes again, and the thread was free for another.
+  /// A stream ends then, and the client reconnects: so another client can have the thread.
   static constexpr std::chrono::seconds kMax{60};
 
   StudyEvents(std::string study_id, std::string last_event_id, Time begin)
       : study_id_(std::move(study_id)), last_id_(std::move(last_event_id)), begin_(begin) {}
 
-  /// What is new, maybe nothing; no text at all once the stream is over.
+  /// The next part of the stream, empty if the study has not changed; nothing after the end of the stream.
   std::optional<std::string> next(Database& database, Time now);
-  /// There is nothing to wait for any more.
+  /// next() has returned the last part.
   bool is_over() const { return is_over_; }
 
  private:

@@ -7,34 +7,34 @@ namespace {
 
 std::size_t below(std::size_t end, std::mt19937& random) { return random() % std::max<std::size_t>(1, end); }
 
-const std::string& word(std::mt19937& random) {
-  static const std::vector<std::string> words = {"\r\n",
-                                                 "\r\n\r\n",
-                                                 "\n",
-                                                 std::string(1, '\0'),
-                                                 "%00",
-                                                 "%0d%0a",
-                                                 "Content-Length: ",
-                                                 "Content-Length: 5\r\n",
-                                                 "Content-Length: -1\r\n",
-                                                 "Transfer-Encoding: chunked\r\n",
-                                                 "Content-Encoding: gzip\r\n",
-                                                 "Range: bytes=0-\r\n",
-                                                 "Expect: 100-continue\r\n",
-                                                 "Host: localhost\r\n",
-                                                 "Origin: null\r\n",
-                                                 "GET /healthz HTTP/1.1\r\n",
-                                                 "0\r\n\r\n",
-                                                 "18446744073709551616",
-                                                 "-1",
-                                                 "1e999",
-                                                 "[[[[[[[[",
-                                                 "{\"",
-                                                 "?after=0&limit=0",
-                                                 "/../",
-                                                 "\xff\xfe",
-                                                 "\\u0000"};
-  return words[below(words.size(), random)];
+const std::string& fragment(std::mt19937& random) {
+  static const std::vector<std::string> fragments = {"\r\n",
+                                                     "\r\n\r\n",
+                                                     "\n",
+                                                     std::string(1, '\0'),
+                                                     "%00",
+                                                     "%0d%0a",
+                                                     "Content-Length: ",
+                                                     "Content-Length: 5\r\n",
+                                                     "Content-Length: -1\r\n",
+                                                     "Transfer-Encoding: chunked\r\n",
+                                                     "Content-Encoding: gzip\r\n",
+                                                     "Range: bytes=0-\r\n",
+                                                     "Expect: 100-continue\r\n",
+                                                     "Host: localhost\r\n",
+                                                     "Origin: null\r\n",
+                                                     "GET /healthz HTTP/1.1\r\n",
+                                                     "0\r\n\r\n",
+                                                     "18446744073709551616",
+                                                     "-1",
+                                                     "1e999",
+                                                     "[[[[[[[[",
+                                                     "{\"",
+                                                     "?after=0&limit=0",
+                                                     "/../",
+                                                     "\xff\xfe",
+                                                     "\\u0000"};
+  return fragments[below(fragments.size(), random)];
 }
 
 void change(std::string& text, const std::vector<std::string>& samples, std::mt19937& random) {
@@ -54,7 +54,7 @@ void change(std::string& text, const std::vector<std::string>& samples, std::mt1
       text.insert(at, text.substr(at, length));
       break;
     case 4:
-      text.insert(at, word(random));
+      text.insert(at, fragment(random));
       break;
     case 5:
       text.resize(at);

@@ -1,13 +1,14 @@
 #pragma once
-// Requests that are almost right.
+// Requests that are almost valid.
 #include <random>
 #include <string>
 #include <vector>
 
 namespace capstan {
 
-/// One of the samples after some changes: bytes flipped, cut, doubled, words of the protocol put in, two of
-/// them joined. The same generator state gives the same text.
+/// One of the samples after up to four random changes: a bit is flipped; bytes are inserted, removed or
+/// repeated; a fragment of HTTP or JSON is inserted; the text is cut, or continued with another sample.
+/// Determined by the state of the generator.
 std::string mutated(const std::vector<std::string>& samples, std::mt19937& random);
 
 }  // namespace capstan

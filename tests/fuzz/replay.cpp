@@ -1,5 +1,5 @@
-// Gives a fuzz target every file of a directory: what once broke something, or reached far, must break
-// nothing.
+// Runs a fuzz target on every file of the given directories: inputs that once caused an error, or that
+// reached much of the code.
 #include <cstdint>
 #include <filesystem>
 #include <iostream>

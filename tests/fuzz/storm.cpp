@@ -1,6 +1,6 @@
-// storm SEED COUNT: sends the real daemon COUNT mutations of the kept requests, eight at a time, and prints
-// how they were answered. Fails unless the daemon then answers as before, in little more memory, with the
-// results that it had and no descriptor left open.
+// storm SEED COUNT: sends COUNT mutations of the corpus of requests to a daemon, eight at a time, and prints
+// how many were answered with which status. Fails unless the daemon afterwards answers as before, with
+// unchanged results, little more memory and no descriptor left open.
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kClients = 8;
 
-std::vector<std::string> kept_requests() {
+std::vector<std::string> corpus() {
   std::vector<std::string> requests;
   for (const auto& file : std::filesystem::directory_iterator(CAPSTAN_CORPUS))
     requests.push_back(file_bytes(file.path()));
@@ -39,13 +39,13 @@ std::string answer_to(const std::string& url, const std::string& request) {
   return connection.receive_all();
 }
 
-using Counts = std::map<int, int>;  ///< of answers, by status; 0: closed without one
+using Counts = std::map<int, int>;  ///< of responses by status; 0: closed without a response
 
 class Storm {
  public:
   Storm(std::string url, unsigned seed, int count) : url_(std::move(url)), seed_(seed), count_(count) {}
 
-  Counts rage() {
+  Counts run() {
     std::vector<std::thread> clients;
     for (int client = 0; client < kClients; ++client) clients.emplace_back([this, client] { send(client); });
     for (std::thread& client : clients) client.join();
@@ -65,13 +65,18 @@ class Storm {
   const std::string url_;
   const unsigned seed_;
   const int count_;
-  const std::vector<std::string> requests_ = kept_requests();
+  const std::vector<std::string> requests_ = corpus();
   std::mutex mutex_;
   Counts counts_;
 };
 
+/// Returns the number of requests.
 int print(const Counts& counts) {
-  const int sum = print(counts);
+  int sum = 0;
+  for (const auto& [status, number] : counts) {
+    std::cout << (status == 0 ? "closed" : std::to_string(status)) << ' ' << number << '\n';
+    sum += number;
+  }
   return sum;
 }
 
@@ -85,29 +90,25 @@ int run(unsigned seed, int count) {
   const std::string path = "/v1/studies/" + id + "/cases";
   const std::string results = client.get(path).dump();
   const double memory = resident_mb(daemon.pid());
-  const Counts counts = Storm(daemon.url(), seed, count).rage();
-  int sum = 0;
-  for (const auto& [status, number] : counts) {
-    std::cout << (status == 0 ? "closed" : std::to_string(status)) << ' ' << number << '\n';
-    sum += number;
-  }
+  const Counts counts = Storm(daemon.url(), seed, count).run();
+  const int sum = print(counts);
   const double grown = resident_mb(daemon.pid()) - memory;
   std::cout << sum << " requests; memory " << memory << " MB + " << grown << " MB; "
             << open_files(daemon.pid()) << " open files; " << client.get_all("/v1/studies", "studies").size()
             << " studies\n";
-  bool is_unharmed = true;
+  bool passes = true;
   const auto require = [&](bool condition, const char* what) {
     if (!condition) std::cout << "FAILED: " << what << '\n';
-    is_unharmed = is_unharmed && condition;
+    passes = passes && condition;
   };
-  require(sum == count, "every request has an end");
-  require(!counts.contains(500), "no error of the server's own");
-  require(client.get(path).dump() == results, "no result is touched");
+  require(sum == count, "every request is answered or its connection closed");
+  require(!counts.contains(500), "no response is 500");
+  require(client.get(path).dump() == results, "the results are unchanged");
   require(grown < 64, "memory stays flat");
   require(open_files(daemon.pid()) < 40, "no descriptor is left open");
   require(client.get("/readyz")["status"] == "ready", "the server is ready");
-  require(daemon.end_with(SIGTERM) == 0, "the daemon ends as it should");
-  return is_unharmed ? EXIT_SUCCESS : EXIT_FAILURE;
+  require(daemon.end_with(SIGTERM) == 0, "the daemon ends with exit code 0");
+  return passes ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace

@@ -8,14 +8,14 @@
 namespace capstan {
 namespace {
 
-TEST(RequestLog, KeepsALineALine) {
+TEST(RequestLog, ReplacesCharactersThatBreakLines) {
   const TemporaryDirectory directory;
   RequestLog log(directory.path() / "log");
   log.write("GET /\r\nforged line\x1b[2J");
   EXPECT_EQ(file_bytes(directory.path() / "log"), "GET /??forged line?[2J\n");
 }
 
-TEST(RequestLog, NeverTakesMoreThanTwiceItsMost) {
+TEST(RequestLog, TakesAtMostTwiceItsMaxBytes) {
   const TemporaryDirectory directory;
   RequestLog log(directory.path() / "log", 1000);
   for (int i = 0; i < 1000; ++i) log.write("ten bytes");
@@ -23,7 +23,7 @@ TEST(RequestLog, NeverTakesMoreThanTwiceItsMost) {
   EXPECT_EQ(file_bytes(directory.path() / "log.1").size(), 1000u);
 }
 
-TEST(RequestLog, GoesOnInANewFileWhenTheOldOneWasMovedAway) {
+TEST(RequestLog, ContinuesInANewFileAfterTheOldOneWasMoved) {
   const TemporaryDirectory directory;
   const std::filesystem::path file = directory.path() / "requests.log", moved = directory.path() / "moved";
   RequestLog log(file);

@@ -2,8 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "runner/web/routes.hpp"
-#include "tests/support/service_fixture.hpp"
+#include "tests/unit/web/route_fixture.hpp"
 
 namespace capstan {
 namespace {
@@ -30,7 +29,7 @@ class StudyEventsTest : public ServiceFixture {
   const std::string id_ = service_->submit(sample_study("events", {{"Ca", {0.25}}})).study_id;
 };
 
-TEST_F(StudyEventsTest, ChangeIsSentOnceAndTheEndEndsTheStream) {
+TEST_F(StudyEventsTest, ChangeIsSentOnceAndTheLastEventEndsTheStream) {
   StudyEvents events(id_, "", clock_.now());
   EXPECT_THAT(*next(events), StartsWith("event: progress\nid: "));
   EXPECT_EQ(*next(events), "");
@@ -41,7 +40,7 @@ TEST_F(StudyEventsTest, ChangeIsSentOnceAndTheEndEndsTheStream) {
   EXPECT_EQ(next(events), std::nullopt);
 }
 
-TEST_F(StudyEventsTest, ClientThatComesAgainMissesNothingAndSeesNothingTwice) {
+TEST_F(StudyEventsTest, ReconnectingClientMissesNothingAndSeesNothingTwice) {
   StudyEvents first(id_, "", clock_.now());
   const std::string seen = id_in(*next(first));
   StudyEvents again(id_, seen, clock_.now());
@@ -51,7 +50,7 @@ TEST_F(StudyEventsTest, ClientThatComesAgainMissesNothingAndSeesNothingTwice) {
   EXPECT_THAT(*next(later), StartsWith("event: end\n"));
 }
 
-TEST_F(StudyEventsTest, StreamEndsAfterAMinuteAndAsksTheClientToComeAgain) {
+TEST_F(StudyEventsTest, StreamEndsAfterAMinuteAndAsksTheClientToReconnect) {
   StudyEvents events(id_, "", clock_.now());
   next(events);
   clock_.advance(std::chrono::seconds(59));
@@ -61,12 +60,12 @@ TEST_F(StudyEventsTest, StreamEndsAfterAMinuteAndAsksTheClientToComeAgain) {
   EXPECT_EQ(next(events), std::nullopt);
 }
 
-TEST_F(StudyEventsTest, WhoHasSeenTheEndIsToldNotToComeAgain) {
+TEST_F(StudyEventsTest, ClientThatHasSeenTheLastEventIsToldNotToReconnect) {
   complete_case();
-  Request request{"GET", "/v1/studies/" + id_ + "/events", {}, "", ""};
+  httplib::Request request = request_for("GET", "/v1/studies/" + id_ + "/events");
   const Response first = respond(*service_, request);
   EXPECT_EQ(first.status, 200);
-  request.last_event_id = id_in(first.next().value());
+  request.set_header("Last-Event-ID", id_in(first.next().value()));
   EXPECT_EQ(respond(*service_, request).status, 204);
   request.path = "/v1/studies/nobody/events";
   EXPECT_EQ(respond(*service_, request).status, 404);

@@ -1,0 +1,20 @@
+#pragma once
+// The query parameters that each route accepts.
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace capstan {
+
+struct QueryParameter {
+  std::string_view name;
+  std::string (*issue_of)(const std::string& value);  ///< what is wrong with a value, "" if nothing
+  bool may_repeat = false;
+};
+
+std::span<const QueryParameter> page_parameters();       ///< of a list in pages
+std::span<const QueryParameter> case_list_parameters();  ///< of the list of a study's cases, with its filters
+std::span<const QueryParameter> phase_diagram_parameters();
+std::span<const QueryParameter> history_parameters();
+
+}  // namespace capstan

@@ -1,0 +1,173 @@
+#include <filesystem>
+
+#include "runner/queries/disk_warning.hpp"
+#include "runner/queries/phase_diagram.hpp"
+#include "runner/queries/queries.hpp"
+#include "runner/queries/why.hpp"
+#include "runner/study/study.hpp"
+#include "runner/web/handlers.hpp"
+#include "runner/web/page_query.hpp"
+#include "solver/case/run_size.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+Response no_such_study(const std::string& id) {
+  return problem(404, "Not found", "there is no study \"" + id + "\"");
+}
+
+/// A study whose runs need more disk than is free is accepted with a warning: space may be freed before they
+/// run.
+ordered_json warnings_of(const Study& study, const Service& service) {
+  double bytes = 0;
+  for (const Case& c : study.cases) bytes += run_size(c);
+  std::error_code error;
+  const auto space = std::filesystem::space(service.data().runs(), error);
+  if (error) return ordered_json::array({service.why_nothing_starts()});
+  const std::string warning =
+      disk_warning(bytes, static_cast<double>(space.available), service.data().runs().string());
+  return warning.empty() ? ordered_json::array() : ordered_json::array({warning});
+}
+
+ordered_json with_links(ordered_json study) {
+  const std::string self = "/v1/studies/" + study["id"].get<std::string>();
+  study["links"] = {{"self", self}, {"cases", self + "/cases"}, {"phase_diagram", self + "/phase-diagram"}};
+  return study;
+}
+
+/// The study after a change.
+/// \param cases  how many of its cases the change concerned; nothing if there is no such study
+Response changed_study(Service& service, const std::string& id, std::optional<int> cases) {
+  if (!cases) return no_such_study(id);
+  const Readers::Reader database = service.reader();
+  ordered_json study = with_links(*find_study(*database, id));
+  study["changed"] = *cases;
+  return json_response(200, study);
+}
+
+/// How many cases a retry at another fidelity replaces; nothing if there is no such study.
+std::optional<int> replaceable_cases(Service& service, const std::string& id) {
+  const Readers::Reader database = service.reader();
+  const auto study = find_study(*database, id);
+  if (!study) return std::nullopt;
+  const ordered_json& cases = (*study)["cases"];
+  return (*study)["cancelled"] ? 0 : cases["failed"].get<int>() + cases["diverged"].get<int>();
+}
+
+}  // namespace
+
+/// 201 for a new study, 200 for a known one, 422 for one with issues, of which nothing is queued. `resumed`:
+/// the study was paused until now.
+Response post_study(Service& service, const httplib::Request& request, const std::string&) {
+  constexpr std::size_t kMaxKey = 200;
+  const std::string key = request.get_header_value("Idempotency-Key");
+  if (key.size() > kMaxKey)
+    return problem(400, "Invalid key", "an Idempotency-Key has at most 200 characters");
+  const ParsedStudy parsed = parse_study_text(request.body);
+  if (!parsed.value) {
+    return problem(422, "Invalid study", "the study is not valid, nothing was queued", parsed.issues);
+  }
+  const Submission submission = service.submit(*parsed.value, key);
+  const Readers::Reader database = service.reader();
+  ordered_json study = with_links(*find_study(*database, submission.study_id));
+  study["warnings"] = submission.is_new ? warnings_of(*parsed.value, service) : ordered_json::array();
+  study["resumed"] = submission.is_resumed;
+  Response response = json_response(submission.is_new ? 201 : 200, study);
+  response.headers["Location"] = study["links"]["self"];
+  return response;
+}
+
+Response get_studies(Service& service, const httplib::Request& request, const std::string&) {
+  const PageQuery page = read_page_query(request);
+  if (!page.issues.empty()) return problem(400, "Invalid page", "the query names no page", page.issues);
+  const Readers::Reader database = service.reader();
+  const Page found = list_studies(*database, page.wanted);
+  ordered_json studies = ordered_json::array();
+  for (const ordered_json& study : found.items) studies.push_back(with_links(study));
+  return json_response(200, with_next({{"studies", studies}}, found, page));
+}
+
+Response get_study(Service& service, const httplib::Request&, const std::string& id) {
+  const Readers::Reader database = service.reader();
+  const auto study = find_study(*database, id);
+  return study ? json_response(200, with_links(*study)) : no_such_study(id);
+}
+
+Response get_study_why(Service& service, const httplib::Request&, const std::string& id) {
+  const Readers::Reader database = service.reader();
+  const auto reasons = why_study(*database, id, service.why_nothing_starts());
+  return reasons ? json_response(200, *reasons) : no_such_study(id);
+}
+
+Response get_study_cases(Service& service, const httplib::Request& request, const std::string& id) {
+  const PageQuery page = read_page_query(request);
+  if (!page.issues.empty()) return problem(400, "Invalid page", "the query names no page", page.issues);
+  const Readers::Reader database = service.reader();
+  if (!find_study(*database, id)) return no_such_study(id);
+  const Page found = find_cases(*database, id, page.rest, page.wanted);
+  return json_response(200, with_next({{"study", id}, {"cases", found.items}}, found, page));
+}
+
+Response get_phase_diagram(Service& service, const httplib::Request& request, const std::string& id) {
+  const Readers::Reader database = service.reader();
+  const auto study = find_study(*database, id);
+  if (!study) return no_such_study(id);
+  if ((*study)["axes"].empty())
+    return problem(404, "Not found", "the study has no axis to draw a phase diagram over");
+  DiagramRequest wanted{request.get_param_value("x"), request.get_param_value("y"), {}};
+  const auto [first, last] = request.params.equal_range("at");
+  for (auto at = first; at != last; ++at) wanted.at.push_back(at->second);
+  const ParsedDiagram diagram = phase_diagram(*study, find_points(*database, id), wanted);
+  if (!diagram.value)
+    return problem(400, "Invalid diagram", "the query does not say which diagram to draw", diagram.issues);
+  return json_response(200, to_json(*diagram.value));
+}
+
+Response delete_study(Service& service, const httplib::Request&, const std::string& id) {
+  const auto deletion = service.remove(id);
+  if (!deletion) return no_such_study(id);
+  return json_response(200,
+                       {{"study", id}, {"deleted_cases", deletion->deleted}, {"kept_cases", deletion->kept}});
+}
+
+Response cancel_study(Service& service, const httplib::Request&, const std::string& id) {
+  return changed_study(service, id, service.cancel(id));
+}
+
+Response pause_study(Service& service, const httplib::Request&, const std::string& id) {
+  return changed_study(service, id, service.pause(id, true));
+}
+
+Response resume_study(Service& service, const httplib::Request&, const std::string& id) {
+  return changed_study(service, id, service.pause(id, false));
+}
+
+/// Without a body, queues the failed cases again. With {"fidelity": …}, replaces the failed and the diverged
+/// cases by cases of that fidelity.
+Response retry_study(Service& service, const httplib::Request& request, const std::string& id) {
+  if (!request.body.empty()) {
+    const ParsedJson parsed = parse_json(request.body);
+    const bool is_object = parsed.value && parsed.value->is_object() && parsed.value->contains("fidelity");
+    const std::optional<int> replaceable = replaceable_cases(service, id);
+    Issues issues = is_object ? service.retry_at(id, (*parsed.value)["fidelity"])
+                              : Issues{{"", "send nothing, or {\"fidelity\": …} as in a study's base"}};
+    if (!issues.empty()) return problem(422, "Invalid retry", "nothing was changed", issues);
+    return changed_study(service, id, replaceable);
+  }
+  return changed_study(service, id, service.retry(id));
+}
+
+Response set_priority(Service& service, const httplib::Request& request, const std::string& id) {
+  constexpr int kMax = 100;
+  const ParsedJson parsed = parse_json(request.body);
+  const bool is_object = parsed.value && parsed.value->is_object() && parsed.value->contains("priority");
+  const nlohmann::json given = is_object ? (*parsed.value)["priority"] : nlohmann::json();
+  if (!given.is_number_integer() || given < -kMax || given > kMax)
+    return problem(422, "Invalid priority", "send {\"priority\": N}",
+                   {{"/priority", "must be a whole number from -100 to 100"}});
+  return changed_study(service, id, service.set_priority(id, given));
+}
+
+}  // namespace capstan
