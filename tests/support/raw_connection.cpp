@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMinute = 60'000;  // ms
 
-/// False when nothing comes within a minute.
+/// False if the event does not happen within a minute.
 bool is_ready(int socket, short events) {
   pollfd watched{socket, events, 0};
   return poll(&watched, 1, kMinute) > 0;
@@ -49,12 +49,12 @@ bool RawConnection::send(std::string_view bytes) {
 
 void RawConnection::finish_sending() { shutdown(socket_, SHUT_WR); }
 
-std::string RawConnection::receive(std::size_t most) {
+std::string RawConnection::receive(std::size_t max_bytes) {
   std::string all;
   char part[4096];
-  while (all.size() < most) {
+  while (all.size() < max_bytes) {
     if (!is_ready(socket_, POLLIN)) throw std::runtime_error("the server neither answers nor closes");
-    const ssize_t count = recv(socket_, part, std::min(sizeof part, most - all.size()), 0);
+    const ssize_t count = recv(socket_, part, std::min(sizeof part, max_bytes - all.size()), 0);
     if (count <= 0) break;
     all.append(part, static_cast<std::size_t>(count));
   }

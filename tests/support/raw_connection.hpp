@@ -1,5 +1,5 @@
 #pragma once
-// A client that sends bytes as they are, well-behaved or not.
+// A client that sends any bytes, valid HTTP or not.
 #include <chrono>
 #include <string>
 #include <string_view>
@@ -18,25 +18,26 @@ class RawConnection {
   }
   ~RawConnection();
 
-  /// False once the server has closed the connection.
+  /// Blocks until all bytes are sent. False if the server closes the connection before.
   bool send(std::string_view bytes);
   void finish_sending();
 
-  /// What comes until there are that many bytes or the server closes. Throws std::runtime_error when nothing
-  /// does for a minute.
-  std::string receive(std::size_t most);
-  /// The server has closed, or does so in that time.
-  bool closes_within(std::chrono::milliseconds time);
+  /// Blocks until that many bytes have arrived or the server closes the connection. Throws std::runtime_error
+  /// if neither happens for a minute.
+  std::string receive(std::size_t max_bytes);
   std::string receive_all();
+  /// The server has closed the connection, or does so within that time.
+  bool closes_within(std::chrono::milliseconds time);
 
  private:
   int socket_;
 };
 
-/// The status of the answer, 0 if there is none. That 100 came before it (Continue) does not count.
+/// The status of a response, 0 if there is none. A preceding 100 (Continue) is skipped.
 int status_of(std::string_view answer);
 
-/// A well-formed request.
+/// A valid request.
+/// \param fields  header lines, each with its line end
 std::string request_text(const std::string& method, const std::string& target, const std::string& fields = "",
                          const std::string& body = "");
 

@@ -1,5 +1,5 @@
-// Clients that want to harm: each test ends with a server that answers at once, in little memory, and with
-// the results that it had.
+// Hostile clients. After each test the server still answers at once, its memory has not grown, no descriptor
+// is left open and the results are unchanged.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ class HostileClientTest : public testing::Test {
   void TearDown() override {
     Client client(daemon_.url());
     EXPECT_EQ(answer_to(request_text("GET", cases_path())), results_) << "no result is touched";
-    EXPECT_EQ(client.get("/v1/studies")["studies"].size(), 1u) << "no study has come in";
+    EXPECT_EQ(client.get("/v1/studies")["studies"].size(), 1u) << "no study is added";
     EXPECT_LT(resident_mb(daemon_.pid()), memory_mb_ + 16) << "memory stays flat";
     constexpr int kThreads = 16;  // SQLite keeps the descriptors of readers for the next ones
     wait_until([&] { return open_files(daemon_.pid()) <= files_ + kThreads; });
@@ -54,7 +54,8 @@ class HostileClientTest : public testing::Test {
     return connection.receive_all();
   }
 
-  /// More clients than threads, each with the same beginning and no more; and the server still answers.
+  /// More clients than threads send the same beginning of a request and nothing more; the server still
+  /// answers.
   void hold_with(const std::string& beginning) {
     std::vector<RawConnection> held;
     for (int i = 0; i < 40; ++i) {
@@ -73,7 +74,8 @@ class HostileClientTest : public testing::Test {
   long files_ = 0;
 };
 
-/// Far more than threads, all of one client: the last of them is still there when others have been answered.
+/// Far more connections than threads, all of one client. The last one is still open after another was
+/// answered.
 TEST_F(HostileClientTest, IdleConnectionsDelayNobody) {
   for (const char* beginning : {"", "GET /healthz HTTP/1.1\r\nHost: loc"}) {
     std::vector<RawConnection> held;
@@ -86,15 +88,15 @@ TEST_F(HostileClientTest, IdleConnectionsDelayNobody) {
   }
 }
 
-TEST_F(HostileClientTest, ClientWithMostConnectionsLosesTheOldestSoThatOthersFindRoom) {
+TEST_F(HostileClientTest, ClientWithTheMostConnectionsLosesItsOldestToMakeRoomForOthers) {
   std::vector<RawConnection> held;
   for (int i = 0; i < 1100; ++i) held.emplace_back(daemon_.url());
   EXPECT_EQ(status_of(answer_to(request_text("GET", "/healthz"))), 200);
   EXPECT_TRUE(held.front().closes_within(std::chrono::seconds(1)));
 }
 
-/// Bodies of a mebibyte that stop before the end.
-TEST_F(HostileClientTest, LargeBodiesThatStopTakeLittleMemory) {
+/// Bodies of almost a mebibyte that stay incomplete.
+TEST_F(HostileClientTest, IncompleteLargeBodiesTakeLittleMemory) {
   std::vector<RawConnection> held;
   for (int i = 0; i < 200; ++i) {
     held.emplace_back(daemon_.url());
@@ -118,7 +120,7 @@ TEST_F(HostileClientTest, SlowBodiesHoldNoThreadForLong) {
       "99\r\n\r\n{");
 }
 
-/// Bytes that keep coming win no time: the deadline is one of the connection, not of a byte.
+/// Further bytes do not prolong the deadline: it is the connection's.
 TEST_F(HostileClientTest, DripOfBytesHoldsNoThreadForLong) {
   std::vector<RawConnection> held;
   for (int i = 0; i < 20; ++i) held.emplace_back(daemon_.url());
@@ -152,7 +154,7 @@ TEST_F(HostileClientTest, HeadOfEightMebibytesIsNotKept) {
   }
 }
 
-TEST_F(HostileClientTest, BombsInChunksOrCompressedAreRefusedUnread) {
+TEST_F(HostileClientTest, ChunkedOrCompressedBombsAreRefusedUnread) {
   const std::string start =
       "POST /v1/studies HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n";
   RawConnection chunks(daemon_.url());
@@ -181,7 +183,7 @@ TEST_F(HostileClientTest, RequestInTheBodyOfAnotherIsNeverAnswered) {
   }
 }
 
-TEST_F(HostileClientTest, DeepOrEndlessJsonIsAProblemLikeAnyOther) {
+TEST_F(HostileClientTest, DeepOrUnendedJsonIsRefusedWith422) {
   for (const std::string& body :
        {std::string(1'000'000, '['), std::string(1'000'000, '{'), "{\"a\":" + std::string(900'000, '['),
         "\"" + std::string(1'000'000, 'a'), std::string(1'000'000, '9'), "[" + std::string(1'000'000, ',')})

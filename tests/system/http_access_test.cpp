@@ -1,4 +1,4 @@
-// Who is let in at the real door, and how a study is followed through it.
+// Access to the real daemon over HTTP: tokens, host names, streams of events, and its end while clients wait.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -21,7 +21,7 @@ using testing::StartsWith;
 
 constexpr const char* kToken = "a-token-of-some-length";
 
-/// The environment of the daemons and commands that are started while it lives.
+/// Sets the token in the environment of the daemons and commands that are started while it lives.
 struct TokenInEnvironment {
   TokenInEnvironment() { setenv("CAPSTAN_TOKEN", kToken, 1); }
   ~TokenInEnvironment() { unsetenv("CAPSTAN_TOKEN"); }
@@ -37,7 +37,7 @@ class HttpAccessTest : public testing::Test {
   TemporaryDirectory data_;
 };
 
-TEST_F(HttpAccessTest, AddressThatOthersCanReachNeedsAToken) {
+TEST_F(HttpAccessTest, AddressThatOtherMachinesCanReachNeedsAToken) {
   for (const char* address : {"0.0.0.0:0", "[::]:0"}) {
     const CommandResult refused =
         run_capstan("serve --data " + data_.path().string() + " --listen " + std::string(address));
@@ -49,7 +49,7 @@ TEST_F(HttpAccessTest, AddressThatOthersCanReachNeedsAToken) {
   EXPECT_EQ(status_of(ask(daemon, request_text("GET", "/healthz"))), 401);
 }
 
-TEST_F(HttpAccessTest, TokenIsAskedOnEveryRouteAndSentByEveryCommand) {
+TEST_F(HttpAccessTest, TokenIsRequiredOnEveryRouteAndSentByEveryCommand) {
   const TokenInEnvironment token;
   const Daemon daemon(data_.path());
   for (const char* path : {"/healthz", "/readyz", "/metrics", "/openapi.yaml", "/v1/studies", "/nothing"})
@@ -57,7 +57,7 @@ TEST_F(HttpAccessTest, TokenIsAskedOnEveryRouteAndSentByEveryCommand) {
   const std::string field = "Authorization: Bearer " + std::string(kToken) + "\r\n";
   EXPECT_EQ(status_of(ask(daemon, request_text("GET", "/healthz", field))), 200);
   const std::filesystem::path study = data_.path() / "study.json";
-  overwrite(study, study_document("door", {{"Ca", {0.25}}}).dump());
+  overwrite(study, study_document("access", {{"Ca", {0.25}}}).dump());
   const std::string server = " --server " + daemon.url();
   EXPECT_EQ(run_capstan("submit --watch " + study.string() + server).exit_code, 0);
   unsetenv("CAPSTAN_TOKEN");
@@ -66,7 +66,7 @@ TEST_F(HttpAccessTest, TokenIsAskedOnEveryRouteAndSentByEveryCommand) {
   EXPECT_THAT(refused.errors, HasSubstr("Bearer"));
 }
 
-TEST_F(HttpAccessTest, TokenStandsInNoLog) {
+TEST_F(HttpAccessTest, TokenIsInNoLog) {
   const TokenInEnvironment token;
   const Daemon daemon(data_.path());
   ask(daemon,
@@ -95,7 +95,7 @@ TEST_F(HttpAccessTest, AnyLoopbackAddressServesWithoutAToken) {
   EXPECT_EQ(run_capstan("studies --server " + daemon.url()).exit_code, 0);
 }
 
-TEST_F(HttpAccessTest, NoAnswerIsTakenForAnotherType) {
+TEST_F(HttpAccessTest, EveryResponseForbidsTypeSniffing) {
   const Daemon daemon(data_.path());
   for (const char* target : {"/healthz", "/nothing", "/v1/studies?a=b", "/v1/%"})
     EXPECT_THAT(ask(daemon, request_text("GET", target)),
@@ -113,7 +113,7 @@ TEST_F(HttpAccessTest, StudyIsFollowedToItsEnd) {
   const Daemon daemon(data_.path());
   Client client(daemon.url());
   const std::string id =
-      client.post("/v1/studies", study_document("door", {{"Ca", {0.25}}, {"V", {70}}}).dump())["id"];
+      client.post("/v1/studies", study_document("access", {{"Ca", {0.25}}, {"V", {70}}}).dump())["id"];
   RawConnection follower(daemon.url());
   follower.send(request_text("GET", "/v1/studies/" + id + "/events"));
   EXPECT_THAT(follower.receive(15), StartsWith("HTTP/1.1 200 OK"));
@@ -124,12 +124,12 @@ TEST_F(HttpAccessTest, StudyIsFollowedToItsEnd) {
   EXPECT_THAT(rest.substr(rest.rfind("event: ")), StartsWith("event: end\n"));
 }
 
-/// Eight streams, half of the threads; a ninth is told to come later, and everything else is answered.
+/// Eight streams use half of the threads; a ninth is refused with 503, and all other requests are answered.
 TEST_F(HttpAccessTest, FollowersLeaveHalfOfTheThreadsFree) {
   const Daemon daemon(data_.path());
   Client client(daemon.url());
   const std::string id =
-      client.post("/v1/studies", study_document("door", {{"Ca", {0.25}}, {"V", {70}}}).dump())["id"];
+      client.post("/v1/studies", study_document("access", {{"Ca", {0.25}}, {"V", {70}}}).dump())["id"];
   const std::string request = request_text("GET", "/v1/studies/" + id + "/events");
   std::vector<RawConnection> followers;
   for (int i = 0; i < 8; ++i) {
@@ -141,7 +141,7 @@ TEST_F(HttpAccessTest, FollowersLeaveHalfOfTheThreadsFree) {
   EXPECT_EQ(status_of(refused), 503);
   EXPECT_THAT(refused, HasSubstr("Retry-After: "));
   EXPECT_EQ(status_of(ask(daemon, request_text("GET", "/healthz"))), 200);
-  followers.clear();  // whoever goes makes room
+  followers.clear();  // their threads become free
   wait_for(client, "/v1/studies/" + id, [&](const auto&) {
     return ask(daemon, request_text("GET", "/metrics")).find("capstan_http_streams 0\n") != std::string::npos;
   });
@@ -161,8 +161,8 @@ TEST_F(HttpAccessTest, LogIsReopenedAtSighup) {
   EXPECT_EQ(daemon.end_with(SIGTERM), 0);
 }
 
-/// Studies that take the database for seconds.
-TEST_F(HttpAccessTest, EndIsNotKeptWaitingByRequestsUnderWay) {
+/// Twelve large studies, which take the database seconds to store.
+TEST_F(HttpAccessTest, EndDoesNotWaitForRequestsUnderWay) {
   Daemon daemon(data_.path());
   const std::string grid = R"({"from": 0.1, "to": 1, "count": 2000})";
   std::vector<RawConnection> clients;
@@ -176,7 +176,7 @@ TEST_F(HttpAccessTest, EndIsNotKeptWaitingByRequestsUnderWay) {
   for (RawConnection& client : clients) EXPECT_NE(status_of(client.receive_all()), 400);
 }
 
-TEST_F(HttpAccessTest, BodyUnderWayAtTheEndIsToBeSentAgain) {
+TEST_F(HttpAccessTest, RequestWithAnIncompleteBodyAtTheEndIsRefusedWith503) {
   Daemon daemon(data_.path());
   RawConnection client(daemon.url());
   client.send(
@@ -189,7 +189,7 @@ TEST_F(HttpAccessTest, BodyUnderWayAtTheEndIsToBeSentAgain) {
   EXPECT_THAT(answer, HasSubstr("Retry-After: "));
 }
 
-TEST_F(HttpAccessTest, StudyIsDeletedByADaemonThatIsKilledMeanwhile) {
+TEST_F(HttpAccessTest, DeletionIsCompletedAfterADaemonThatWasKilledDuringIt) {
   std::string id;
   {
     Daemon daemon(data_.path(), {}, "deleted");
@@ -207,11 +207,11 @@ TEST_F(HttpAccessTest, StudyIsDeletedByADaemonThatIsKilledMeanwhile) {
   EXPECT_TRUE(is_empty(data_.path() / "runs"));
 }
 
-TEST_F(HttpAccessTest, DaemonEndsAtOnceWhileClientsHang) {
+TEST_F(HttpAccessTest, DaemonEndsAtOnceWhileClientsStayConnected) {
   Daemon daemon(data_.path());
   Client client(daemon.url());
   const std::string id =
-      client.post("/v1/studies", study_document("door", {{"Ca", {0.25}}, {"V", {70}}}).dump())["id"];
+      client.post("/v1/studies", study_document("access", {{"Ca", {0.25}}, {"V", {70}}}).dump())["id"];
   RawConnection silent(daemon.url()), follower(daemon.url());
   follower.send(request_text("GET", "/v1/studies/" + id + "/events"));
   EXPECT_EQ(status_of(follower.receive(15)), 200);

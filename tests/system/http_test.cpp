@@ -1,4 +1,4 @@
-// What only shows on a real connection: sizes, encodings, and what the library finds wrong by itself.
+// The HTTP API on real connections: sizes, encodings, methods, and retries at another fidelity.
 #include <gtest/gtest.h>
 #include <httplib.h>
 
@@ -27,7 +27,7 @@ class HttpTest : public testing::Test {
   httplib::Client client_{daemon_.url()};
 };
 
-TEST_F(HttpTest, EveryBadStudyIsAnsweredWithAProblemThatListsItsFaults) {
+TEST_F(HttpTest, EveryInvalidStudyIsAnsweredWithAProblemThatListsItsIssues) {
   const std::string grid =
       R"({"name": "a", "base": {"Ca": 0.1}, "axes": {"V": {"from": 1, "to": 2, "count": 1000},
                                "E_b": {"from": 0, "to": 1, "count": 1000}}})";
@@ -76,7 +76,7 @@ TEST_F(HttpTest, LongPathIsRefused) {
   EXPECT_EQ(answer->status, 414);
 }
 
-TEST_F(HttpTest, OtherMethodsAreNamedAsNotAllowed) {
+TEST_F(HttpTest, OtherMethodsOfAKnownPathAreNotAllowed) {
   for (const auto& answer : {client_.Put("/v1/studies", "", ""), client_.Delete("/v1/studies"),
                              client_.Patch("/v1/studies", "", ""), client_.Options("/v1/studies")}) {
     ASSERT_TRUE(answer);
@@ -91,8 +91,8 @@ TEST_F(HttpTest, FilterInTheQueryIsDecoded) {
   EXPECT_EQ(json::parse(client_.Get(cases + "?Ca=2.5e%2D1")->body)["cases"].size(), 1u);
 }
 
-/// Three cases: one that completes, one that diverges and one that is refused, both at the coarse setting
-/// alone.
+/// Three cases: one completes, one diverges and one is refused by the solver; the latter two complete at a
+/// finer fidelity.
 class RetryTest : public HttpTest {
  protected:
   RetryTest() {
@@ -111,7 +111,7 @@ class RetryTest : public HttpTest {
   std::string id_;
 };
 
-TEST_F(RetryTest, AtAFinerFidelityPutsDoneCasesInThePlaceOfFailedAndDivergedOnes) {
+TEST_F(RetryTest, AtAFinerFidelityReplacesFailedAndDivergedCases) {
   const nlohmann::ordered_json before = cases();
   const auto answer = retry(id_, R"({"fidelity": "fine"})");
   ASSERT_TRUE(answer);
@@ -129,7 +129,7 @@ TEST_F(RetryTest, AtAFinerFidelityPutsDoneCasesInThePlaceOfFailedAndDivergedOnes
   }
 }
 
-TEST_F(RetryTest, AtABadFidelityIsAProblemThatListsAllFaultsAndChangesNothing) {
+TEST_F(RetryTest, AtAnInvalidFidelityIsAProblemThatListsAllIssuesAndChangesNothing) {
   const nlohmann::ordered_json before = cases();
   const auto answer = retry(id_, R"({"fidelity": {"nodes": 7, "colour": "red"}})");
   ASSERT_TRUE(answer);
@@ -137,7 +137,7 @@ TEST_F(RetryTest, AtABadFidelityIsAProblemThatListsAllFaultsAndChangesNothing) {
   EXPECT_EQ(answer->get_header_value("Content-Type"), "application/problem+json");
   std::set<std::string> pointers;
   const json problem = json::parse(answer->body);
-  for (const json& fault : problem["errors"]) pointers.insert(fault["pointer"]);
+  for (const json& issue : problem["errors"]) pointers.insert(issue["pointer"]);
   EXPECT_EQ(pointers, (std::set<std::string>{"/fidelity/nodes", "/fidelity/colour"}));
   for (const char* bad : {"{", "[]", "{}", "\"fine\"", R"({"fidelity": "finest"})", R"({"fidelity": null})"})
     EXPECT_EQ(retry(id_, bad)->status, 422) << bad;

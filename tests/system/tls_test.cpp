@@ -1,4 +1,4 @@
-// The commands through a proxy that adds TLS: here a server of its own that answers as the daemon would.
+// The commands behind a TLS proxy. The proxy here is a TLS server that answers as the daemon would.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <httplib.h>
@@ -43,20 +43,20 @@ class TlsTest : public testing::Test {
   std::thread serving_;
 };
 
-TEST_F(TlsTest, CommandsAskAServerWhoseCertificateIsTrusted) {
+TEST_F(TlsTest, CommandsUseAServerWhoseCertificateIsTrusted) {
   trust_certificate();
   const CommandResult answered = list_studies("localhost");
   EXPECT_EQ(answered.exit_code, 0) << answered.errors;
 }
 
-TEST_F(TlsTest, CommandsTellNothingToAServerWhoseCertificateNobodyTrusts) {
+TEST_F(TlsTest, CommandsSendNothingToAServerWithAnUntrustedCertificate) {
   const CommandResult refused = list_studies("localhost");
   EXPECT_EQ(refused.exit_code, 69);
   EXPECT_THAT(refused.errors, HasSubstr("is not trusted"));
   EXPECT_THAT(refused.errors, HasSubstr("SSL_CERT_FILE"));
 }
 
-TEST_F(TlsTest, CommandsTellNothingToAServerWithTheCertificateOfAnother) {
+TEST_F(TlsTest, CommandsSendNothingToAServerWithTheCertificateOfAnotherHost) {
   trust_certificate();
   EXPECT_EQ(list_studies("127.0.0.1").exit_code, 69);
 }
