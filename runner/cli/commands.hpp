@@ -1,5 +1,6 @@
 #pragma once
-// The commands, with their arguments read. Each returns the exit code.
+// What the commands do once their options are parsed. Each function returns the exit code.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,17 +13,17 @@ struct ServeArguments {
   std::string data = "capstan-data";
   std::string listen = "127.0.0.1:8017";
   std::vector<std::string> hosts = {};  ///< names of this server besides its addresses
-  double memory_mb = 0;                 ///< that a case may take; 0: as much as it wants
-  int wall_seconds = 0;                 ///< that an attempt may take; 0: as long as it wants
-  int lease_seconds = 60;               ///< that a process may stand still
-  int cores = usable_cores();           ///< cases that run side by side
+  double memory_mb = 0;                 ///< limit of a case; 0: no limit
+  int wall_seconds = 0;                 ///< limit of an attempt; 0: no limit
+  int lease_seconds = 60;               ///< time after which a process without progress is stopped
+  int cores = usable_cores();           ///< number of cases that run side by side
 };
 int serve(const ServeArguments& arguments);
 
 struct UpkeepArguments {
   std::string data = "capstan-data";
-  bool mend = false;  ///< of examine_data
-  std::string file;   ///< of back_up
+  bool repair = false;  ///< of examine_data
+  std::string file;     ///< of back_up
   bool json = false;
 };
 int examine_data(const UpkeepArguments& arguments);
@@ -44,21 +45,26 @@ struct SubmitArguments {
 int submit_study(const SubmitArguments& arguments);
 
 struct StudyArguments {
-  std::vector<std::string> ids;  ///< as they were typed: ids, their beginnings, names of studies
-  std::string format = "table";  ///< of print_results: table, csv, json
-  std::string x, y;              ///< of print_phase_diagram: the axes to draw, or the server's choice
-  std::vector<std::string> at;   ///< of print_phase_diagram: AXIS=VALUE where the others are fixed
+  std::vector<std::string> ids;         ///< as typed: ids, beginnings of ids, names of studies
+  std::string format = "table";         ///< of print_results: table, csv, json
+  std::string x, y;                     ///< of print_phase_diagrams: axes to draw; empty: the server chooses
+  std::vector<std::string> at;          ///< of print_phase_diagrams: AXIS=VALUE for axes that are not drawn
+  std::optional<std::string> fidelity;  ///< of retry_studies: a preset
   bool json = false;
   std::string server = kDefaultServer;
 };
-int print_studies(const StudyArguments& arguments);  ///< of all studies: without ids
-int print_study(const StudyArguments& arguments);
-int watch_study(const StudyArguments& arguments);
+int list_studies(const StudyArguments& arguments);  ///< ignores `ids`
+int show_studies(const StudyArguments& arguments);
+int watch_studies(const StudyArguments& arguments);
 int print_results(const StudyArguments& arguments);
-int print_phase_diagram(const StudyArguments& arguments);
-/// \param change  cancel, pause, resume, retry, priority
-int change_study(const StudyArguments& arguments, const std::string& change, const std::string& body = "");
-int delete_study(const StudyArguments& arguments);
-int explain(const StudyArguments& arguments);  ///< studies and cases
+int print_phase_diagrams(const StudyArguments& arguments);
+int explain(const StudyArguments& arguments);  ///< `ids` may also name cases
+
+/// \param change  cancel, pause or resume
+int change_studies(const StudyArguments& arguments, const std::string& change);
+int retry_studies(const StudyArguments& arguments);
+/// \param arguments  the last of `ids` is the priority
+int set_priority(const StudyArguments& arguments);
+int delete_studies(const StudyArguments& arguments);
 
 }  // namespace capstan

@@ -1,39 +1,43 @@
 #pragma once
-// The program `capstan`: a table of subcommands.
+// The program `capstan`: its commands, its exit codes.
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 namespace capstan {
 
-class BenchReport;
 struct Study;
 
-/// A measurement of `capstan bench`.
+/// A subcommand of `capstan bench`.
 struct Benchmark {
   std::string name, summary;
-  std::string duration;  ///< "about a minute"
-  std::function<void(BenchReport& report)> run;
+  std::string duration;  ///< in words: "about a minute"
+  /// Prints tables, with `json` one JSON document.
+  std::function<void(std::ostream& out, bool json)> run;
 };
 
-/// The commands that need the physics, which the rest of the program does not know. Each returns its exit
-/// code.
-struct Physics {
-  /// `capstan solve`: one case in its directory, for so many seconds
+/// The commands that need the whole solver. They are handed in by main(), because the library of the other
+/// commands is not linked with it. Each function returns the exit code.
+struct WorkerCommands {
+  /// `capstan solve`. \param out  run directory  \param wall_seconds  after these the run stops with a
+  /// checkpoint
   std::function<int(const std::filesystem::path& case_file, const std::filesystem::path& out,
                     double wall_seconds)>
       solve;
-  /// `capstan compare`: the fluid models on the same cases
+  /// `capstan compare`
   std::function<int(const std::vector<std::filesystem::path>& case_files, bool json)> compare = nullptr;
-  /// `capstan estimate`: what a study costs on this machine; the study file is valid
+  /// `capstan estimate`. \param study  valid  \param cores  number of cases that would run side by side
   std::function<int(const Study& study, int cores, bool json)> estimate = nullptr;
   /// `capstan bench`
   std::vector<Benchmark> benchmarks = {};
-  /// of the sources, as git names it, or "" if nobody knows
+  /// git revision of the sources; empty if unknown
   std::string revision = {};
 };
 
-int run_program(int argc, char** argv, const Physics& physics);
+/// Parses the command line, runs the command and returns its exit code (schema/exit_codes.md). Errors go to
+/// standard error; no exception leaves it.
+int run_program(int argc, char** argv, const WorkerCommands& worker);
 
 }  // namespace capstan

@@ -1,5 +1,5 @@
 #pragma once
-// How far a study is, for a terminal or for a log.
+// The progress of a study as text, for a terminal or a log.
 #include <chrono>
 #include <iosfwd>
 #include <nlohmann/json.hpp>
@@ -8,17 +8,20 @@
 
 namespace capstan {
 
-/// Shows one line that renews itself on a terminal; elsewhere a line whenever a case has ended or started.
+/// On a terminal: one line, rewritten at each call. Elsewhere: a new line whenever the numbers of cases
+/// changed.
 class ProgressLine {
  public:
   ProgressLine(std::ostream& out, bool is_terminal) : out_(out), is_terminal_(is_terminal) {}
 
-  /// \param study  as the server gives it
+  /// \param study  as the server returns it
   void show(const nlohmann::ordered_json& study);
+  /// Ends the line on a terminal.
   void finish();
 
  private:
-  /// From the speed since the first call; nothing until something has moved.
+  /// Extrapolated from the speed since the first call; nothing before the progress has changed.
+  /// \param progress  from 0 to 1
   std::optional<std::chrono::seconds> time_left(double progress);
 
   std::ostream& out_;

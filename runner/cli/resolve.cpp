@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Anything else is no id, and need not be written into a URL.
+/// Letters, digits, - and _: such text needs no encoding in a URL.
 bool could_be_an_id(const std::string& typed) {
   constexpr std::size_t kMax = 120;
   const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '-' || c == '_'); };
@@ -26,15 +26,20 @@ ordered_json matches(Client& client, const std::string& typed) {
   throw std::invalid_argument(text);
 }
 
-/// The one that was found.
-std::string only(const std::string& what, const std::string& typed, const std::vector<std::string>& found) {
+/// The only match; throws if there is none or more than one. \param kind  of the matches, for the message
+std::string only_match(const std::string& kind, const std::string& typed,
+                       const std::vector<std::string>& found) {
   if (found.empty())
-    throw Refused(404, "there is no " + what + " \"" + typed + "\"; capstan studies lists the studies", {});
+    throw Refused(404, "there is no " + kind + " \"" + typed + "\"; capstan studies lists the studies", {});
   if (found.size() > 1) refuse_ambiguous(typed, found);
   return found.front();
 }
 
 }  // namespace
+
+std::string path_of_study(const std::string& id, const std::string& rest) {
+  return "/v1/studies/" + id + rest;
+}
 
 std::string path_of_any(Client& client, const std::string& typed) {
   const ordered_json found = matches(client, typed);
@@ -45,17 +50,17 @@ std::string path_of_any(Client& client, const std::string& typed) {
       paths.push_back(std::string("/v1/") + kind + "/" + id);
       if (id == typed) return paths.back();
     }
-  only("study or case", typed, named);
+  only_match("study or case", typed, named);
   return paths.front();
 }
 
 std::string study_id(Client& client, const std::string& typed) {
-  return only("study", typed, matches(client, typed)["studies"].get<std::vector<std::string>>());
+  return only_match("study", typed, matches(client, typed)["studies"].get<std::vector<std::string>>());
 }
 
 std::string whole_study_id(Client& client, const std::string& typed) {
   const std::string id = study_id(client, typed);
-  if (typed == id || typed == client.get("/v1/studies/" + id)["name"]) return id;
+  if (typed == id || typed == client.get(path_of_study(id))["name"]) return id;
   throw std::invalid_argument("\"" + typed + "\" is only the beginning of " + id +
                               ": give the whole id or the name");
 }

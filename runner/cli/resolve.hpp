@@ -1,20 +1,24 @@
 #pragma once
-// What people type for a study or a case: its id, the beginning of it that no other has, or the study's name.
+// Finds the study or case that a user means: by its id, by a beginning that no other id has, or by the
+// study's name.
 #include <string>
 
 #include "runner/cli/client.hpp"
 
 namespace capstan {
 
-/// The path of the study or the case on the server. Throws Refused (404) if there is none, and
-/// std::invalid_argument, with the matches, if there are several.
+/// The path of the study on the server. \param rest  what follows it, such as "/cases"
+std::string path_of_study(const std::string& id, const std::string& rest = "");
+
+/// The path of the study or case on the server. Throws Refused (404) if there is none, and
+/// std::invalid_argument, with all matches, if there are several.
 std::string path_of_any(Client& client, const std::string& typed);
 
 /// The id of the study; throws as path_of_any does.
 std::string study_id(Client& client, const std::string& typed);
 
-/// The same for what cannot be undone: the beginning of an id is refused (std::invalid_argument), since given
-/// again it can become the beginning of another one.
+/// The id of a study that is to be deleted. Refuses the beginning of an id (std::invalid_argument): typed a
+/// second time it could match another study.
 std::string whole_study_id(Client& client, const std::string& typed);
 
 }  // namespace capstan

@@ -2,8 +2,8 @@
 
 namespace capstan {
 
-/// The git revision of the sources, "-dirty" if they were changed since; "" if they came without git. Written
-/// by the build.
+/// The git revision of the sources, followed by "-dirty" if they differ from it; "" if they were built
+/// outside a repository. The build writes its definition (revision.cmake).
 extern const char* const kRevision;
 
 }  // namespace capstan

@@ -19,13 +19,13 @@
 namespace capstan {
 namespace {
 
-/// What one request has freed serves the next: to give it back to the system each time takes a third of the
-/// daemon's time. HttpServer gives it back some times a second.
+/// Makes malloc keep freed memory for the next request. Returning it to the system after each request took a
+/// third of the daemon's time; the server returns it some times a second instead (trim_memory).
 void keep_freed_memory() {
-  constexpr int kKept = 1'000'000;  // bytes a thread, at most
+  constexpr int kKept = 1'000'000;  // bytes; the limit of each arena
   mallopt(M_TRIM_THRESHOLD, kKept);
   mallopt(M_MMAP_THRESHOLD, kKept);
-  mallopt(M_ARENA_MAX, 4);  // of sixteen threads each would keep as much
+  mallopt(M_ARENA_MAX, 4);  // otherwise each of sixteen threads could have its own
 }
 
 void warn_of_too_many_cores(int cores) {
@@ -34,12 +34,12 @@ void warn_of_too_many_cores(int cores) {
               << " that this process may use: cases will wait for each other" << std::endl;
 }
 
-/// What the daemon and its runs write is for its user alone, whatever the user's mask would let others do.
+/// Files that the daemon and its runs create are readable by this user alone.
 void keep_files_private() { umask(077); }
 
-/// Requests that are under way get a moment more. One that takes longer goes without its answer, as if the
-/// daemon had been killed.
-void end_soon(int code) {
+/// Ends the process in one second at the latest. Requests that take longer get no answer, as if the daemon
+/// had been killed.
+void exit_within_a_second(int code) {
   static constexpr std::chrono::seconds kMax{1};
   std::thread([code] {
     std::this_thread::sleep_for(kMax);
@@ -78,11 +78,11 @@ int serve(const ServeArguments& arguments) {
   std::cout << "Capstan serves " << url_of(address) << " with " << arguments.cores
             << (arguments.cores == 1 ? " core" : " cores") << ", data in " << data.path().string()
             << std::endl;
-  if (!std::cout) return kExitError;  // whoever waits for this line would wait for ever
+  if (!std::cout) return kExitError;  // a script that waits for this line would wait for ever
   const bool is_recorded = work_until_terminated(
       *service, [&] { server.reopen_log(); }, [&] { server.trim_memory(); });
   const int code = is_recorded ? kExitDone : kExitError;
-  end_soon(code);
+  exit_within_a_second(code);
   return code;
 }
 

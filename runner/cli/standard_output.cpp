@@ -13,7 +13,7 @@
 namespace capstan {
 namespace {
 
-/// The other end of a pipe or a connection is closed.
+/// Whether the other end of a pipe or connection is closed.
 bool reader_is_gone() {
   pollfd output{STDOUT_FILENO, POLLOUT, 0};
   return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
@@ -24,11 +24,12 @@ bool reader_is_gone() {
 void occupy_closed_streams() {
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;
-    open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // takes the lowest free place: this one
+    open("/dev/null",
+         stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // takes the lowest free descriptor: this one
   }
 }
 
-bool output_has_arrived() {
+bool flush_standard_output() {
   errno = 0;
   std::cout.flush();
   const bool is_flushed = std::fflush(stdout) == 0;

@@ -1,14 +1,15 @@
 #pragma once
-// Whether what a command printed has arrived.
+// Standard streams that are closed, full or broken.
 
 namespace capstan {
 
-/// Gives the standard streams that the caller has closed a place that can neither be read nor written, so
-/// that no file of the program takes it.
+/// Opens /dev/null in place of standard streams that the caller has closed, in the direction that makes every
+/// read or write fail. Otherwise the next file that the program opens would take the descriptor and receive
+/// its output.
 void occupy_closed_streams();
 
-/// Writes out what is still held. False if something that was printed is lost: standard error says so, unless
-/// a reader went away that had enough (`| head`).
-bool output_has_arrived();
+/// Flushes standard output. Returns false if something that was printed is lost. Prints the reason to
+/// standard error, unless the reader of a pipe has closed it (`| head`).
+bool flush_standard_output();
 
 }  // namespace capstan

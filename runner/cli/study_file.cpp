@@ -1,17 +1,17 @@
 #include "runner/cli/study_file.hpp"
-#include "runner/render/printable.hpp"
 
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
 
+#include "runner/render/printable.hpp"
 #include "runner/study/input_file.hpp"
 
 namespace capstan {
 
 namespace {
 
-/// One run's inputs, where a study has them in its base.
+/// Whether a document holds the parameters of one case: a study has them in its "base".
 bool is_case(const nlohmann::json& document) {
   if (!document.is_object() || document.contains("base") || document.contains("axes")) return false;
   const auto is_given = [&](std::string_view parameter) { return document.contains(parameter); };
@@ -42,7 +42,7 @@ std::optional<Study> read_study_file(const std::string& file) {
 }
 
 void print_issues(std::ostream& out, const std::string& file, const Issues& issues) {
-  out << file << ": " << issues.size() << (issues.size() == 1 ? " fault\n" : " faults\n");
+  out << file << ": " << issues.size() << (issues.size() == 1 ? " issue\n" : " issues\n");
   std::size_t width = 0;
   for (const Issue& issue : issues) width = std::max(width, issue.pointer.size());
   for (const Issue& issue : issues)

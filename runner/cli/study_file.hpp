@@ -1,5 +1,5 @@
 #pragma once
-// A study file as the commands read it.
+// Reads files of studies and cases, and prints what is wrong with them.
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -8,20 +8,23 @@
 
 namespace capstan {
 
-/// A study, or a case: a document that has a case's parameters and no base.
+/// The content of a file: a study, a case, or neither. A document with a case's parameters and without "base"
+/// and "axes" is a case.
 struct InputDocument {
   std::optional<Study> study;
   std::optional<Case> single_case;
   Choices choices;  ///< of the case
-  Issues issues;    ///< if it is neither
+  Issues issues;    ///< not empty if the document is neither
 };
 InputDocument parse_document(const std::string& text);
 
-/// The study, or nothing after all its faults went to standard error. Throws when the file cannot be read.
-/// \param file  "-" is standard input
+/// Reads a study. If it is invalid, prints all its issues to standard error and returns nothing. Throws
+/// std::system_error if the file cannot be read.
+/// \param file  path, or "-" for standard input
 std::optional<Study> read_study_file(const std::string& file);
 
-/// One fault a line, pointers aligned.
+/// Prints the number of issues and one line each, with the JSON pointer and the message.
+/// \param file  name of the file, for the heading
 void print_issues(std::ostream& out, const std::string& file, const Issues& issues);
 
 /// A list of {"pointer", "detail"}, as in the server's answers.

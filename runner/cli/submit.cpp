@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "runner/cli/commands.hpp"
+#include "runner/cli/resolve.hpp"
 #include "runner/cli/study_file.hpp"
 #include "runner/cli/study_text.hpp"
 #include "runner/cli/watch.hpp"
@@ -11,7 +12,7 @@
 
 namespace capstan {
 
-/// The id alone goes to standard output, so that scripts can take it.
+/// Only the id goes to standard output, for scripts; messages and progress go to standard error.
 int submit_study(const SubmitArguments& arguments) {
   const auto study = read_study_file(arguments.file);
   if (!study) return kExitInvalidInput;
@@ -26,7 +27,7 @@ int submit_study(const SubmitArguments& arguments) {
   const int code =
       arguments.watch ? watch_study(client, id, std::cerr, isatty(STDERR_FILENO) == 1) : kExitDone;
   if (arguments.json)
-    std::cout << (arguments.watch ? client.get("/v1/studies/" + id) : submitted).dump(2) << '\n';
+    std::cout << (arguments.watch ? client.get(path_of_study(id)) : submitted).dump(2) << '\n';
   return code;
 }
 

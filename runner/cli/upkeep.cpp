@@ -1,4 +1,4 @@
-// The commands that look after a data directory, with or without a daemon that serves it.
+// The commands that check or copy a data directory, with or without a running server.
 #include <sys/stat.h>
 
 #include <iostream>
@@ -12,40 +12,49 @@ namespace capstan {
 
 namespace {
 
-const char* to_string(Finding::Kind kind) {
+using nlohmann::ordered_json;
+
+/// Names of the kinds of findings: for people, and in the JSON document.
+struct KindNames {
+  const char* text;
+  const char* json;
+};
+
+KindNames names_of(Finding::Kind kind) {
   switch (kind) {
     case Finding::Kind::mended:
-      return "mended";
+      return {"repaired", "mended"};
     case Finding::Kind::note:
-      return "note";
+      return {"note", "note"};
     case Finding::Kind::fault:
       break;
   }
-  return "fault";
+  return {"error", "fault"};
 }
 
 }  // namespace
 
 int examine_data(const UpkeepArguments& arguments) {
-  int unmended = 0;
-  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
-  for (const Finding& finding : examine(arguments.data, arguments.mend)) {
-    findings.push_back({{"kind", to_string(finding.kind)}, {"what", finding.what}});
-    if (!arguments.json) std::cout << to_string(finding.kind) << ": " << finding.what << '\n';
-    if (finding.kind == Finding::Kind::fault) ++unmended;
+  int errors = 0;
+  ordered_json findings = ordered_json::array();
+  for (const Finding& finding : examine(arguments.data, arguments.repair)) {
+    const KindNames names = names_of(finding.kind);
+    findings.push_back({{"kind", names.json}, {"what", finding.what}});
+    if (!arguments.json) std::cout << names.text << ": " << finding.what << '\n';
+    if (finding.kind == Finding::Kind::fault) ++errors;
   }
   if (arguments.json)
-    std::cout << nlohmann::ordered_json{{"faults", unmended}, {"findings", findings}}.dump(2) << '\n';
-  else if (unmended == 0)
+    std::cout << ordered_json{{"faults", errors}, {"findings", findings}}.dump(2) << '\n';
+  else if (errors == 0)
     std::cout << "all is well\n";
-  return unmended == 0 ? kExitDone : kExitError;
+  return errors == 0 ? kExitDone : kExitError;
 }
 
 int back_up(const UpkeepArguments& arguments) {
-  umask(077);  // the copy is as private as the database
+  umask(077);  // the copy is readable by this user alone, like the database
   back_up_database(arguments.data, arguments.file);
   if (arguments.json)
-    std::cout << nlohmann::ordered_json{{"file", arguments.file}}.dump(2) << '\n';
+    std::cout << ordered_json{{"file", arguments.file}}.dump(2) << '\n';
   else
     std::cout << arguments.file << " holds all studies, results and histories\n";
   return kExitDone;

@@ -20,14 +20,14 @@ std::vector<std::string> names_of_options(const CLI::App& app) {
   return names;
 }
 
-/// "capstan bench", as it is typed.
+/// The command as typed: "capstan bench".
 std::string full_name(const CLI::App& app) {
   const CLI::App* parent = app.get_parent();
   return (parent ? full_name(*parent) + " " : "") + app.get_name();
 }
 
-/// What the command line holds that this command does not know, or "".
-std::string unknown_word(const CLI::App& app) {
+/// A message about the first word of the command line that this command does not know; "" if it knows all.
+std::string unknown_word_text(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining();
   const bool takes_commands = !app.get_subcommands({}).empty();
   for (const std::string& word : words) {
@@ -45,15 +45,15 @@ std::string unknown_word(const CLI::App& app) {
 
 }  // namespace
 
-std::string usage_fault(const CLI::App* program, const CLI::Error& error) {
+std::string usage_error_text(const CLI::App* program, const CLI::Error& error) {
   const CLI::App* app = program;
-  std::string fault = unknown_word(*app);
+  std::string text = unknown_word_text(*app);
   while (!app->get_subcommands().empty()) {
     app = app->get_subcommands().front();
-    if (fault.empty()) fault = unknown_word(*app);
+    if (text.empty()) text = unknown_word_text(*app);
   }
-  if (fault.empty()) fault = std::string("capstan: ") + error.what();
-  return fault + "\n" + full_name(*app) + " --help explains it\n";
+  if (text.empty()) text = std::string("capstan: ") + error.what();
+  return text + "\n" + full_name(*app) + " --help explains it\n";
 }
 
 }  // namespace capstan

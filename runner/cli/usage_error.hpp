@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a command line, in words.
+// Messages about wrong command lines.
 #include <string>
 
 namespace CLI {
@@ -9,7 +9,8 @@ class Error;
 
 namespace capstan {
 
-/// An unknown command or option is named, with the one that was probably meant.
-std::string usage_fault(const CLI::App* program, const CLI::Error& error);
+/// The message, with the name of an unknown command or option and the one that was probably meant, and the
+/// --help to read.
+std::string usage_error_text(const CLI::App* program, const CLI::Error& error);
 
 }  // namespace capstan

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "runner/cli/answers.hpp"
 #include "runner/cli/commands.hpp"
 #include "runner/cli/progress.hpp"
 #include "runner/cli/resolve.hpp"
@@ -28,30 +29,30 @@ int exit_code_of(const ordered_json& cases) {
 
 bool is_not_available(const Refused& refusal) { return refusal.status == 503; }
 
-/// What `ask` gives, once the server answers again: it may be restarting. What it could not be asked for is
-/// thrown.
+/// Calls `ask` again and again while the server does not answer or is not available: it may be restarting.
+/// Throws the last exception after two minutes, any other one at once.
 template <class Ask>
 ordered_json ask_patiently(const Ask& ask, std::ostream& out) {
   constexpr std::chrono::seconds kPatience{120};
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
-  for (bool has_said = false;; std::this_thread::sleep_for(kInterval)) {
-    const bool is_late = std::chrono::steady_clock::now() >= deadline;
+  for (bool has_reported = false;; std::this_thread::sleep_for(kInterval)) {
+    const bool is_over = std::chrono::steady_clock::now() >= deadline;
     try {
       return ask();
     } catch (const Unreachable&) {
-      if (is_late) throw;
+      if (is_over) throw;
     } catch (const Refused& refusal) {
-      if (is_late || !is_not_available(refusal)) throw;
+      if (is_over || !is_not_available(refusal)) throw;
     }
-    if (!has_said)
+    if (!has_reported)
       out << "\nthe server does not answer; trying again for " << kPatience.count() << " s" << std::endl;
-    has_said = true;
+    has_reported = true;
   }
 }
 
 void report_failures(Client& client, const std::string& study_id, std::ostream& out) {
   for (const char* state : {"failed", "diverged"}) {
-    const std::string path = "/v1/studies/" + study_id + "/cases?state=" + state;
+    const std::string path = path_of_study(study_id, std::string("/cases?state=") + state);
     for (const ordered_json& shown : ask_patiently([&] { return client.get_all(path, "cases"); }, out))
       out << "case " << shown["id"].get<std::string>() << ' ' << state << ": "
           << printable(shown["message"].get<std::string>()) << '\n';
@@ -63,7 +64,7 @@ void report_failures(Client& client, const std::string& study_id, std::ostream& 
 int watch_study(Client& client, const std::string& study_id, std::ostream& out, bool is_terminal) {
   ProgressLine line(out, is_terminal);
   for (bool was_paused = false;; std::this_thread::sleep_for(kInterval)) {
-    const ordered_json study = ask_patiently([&] { return client.get("/v1/studies/" + study_id); }, out);
+    const ordered_json study = ask_patiently([&] { return client.get(path_of_study(study_id)); }, out);
     line.show(study);
     const bool is_paused = study["paused"];
     if (is_paused && !was_paused)
@@ -78,10 +79,9 @@ int watch_study(Client& client, const std::string& study_id, std::ostream& out, 
   }
 }
 
-int watch_study(const StudyArguments& arguments) {
+int watch_studies(const StudyArguments& arguments) {
   Client client(arguments.server);
-  std::vector<std::string> ids;
-  for (const std::string& typed : arguments.ids) ids.push_back(study_id(client, typed));
+  const std::vector<std::string> ids = resolve_all(client, arguments.ids, study_id);
   std::ostream& out = arguments.json ? std::cerr : std::cout;
   const bool is_terminal = isatty(arguments.json ? STDERR_FILENO : STDOUT_FILENO) == 1;
   int code = kExitDone;
@@ -89,7 +89,7 @@ int watch_study(const StudyArguments& arguments) {
   for (const std::string& id : ids) {
     if (ids.size() > 1) out << id << std::endl;
     code = std::max(code, watch_study(client, id, out, is_terminal));
-    if (arguments.json) studies.push_back(client.get("/v1/studies/" + id));
+    if (arguments.json) studies.push_back(client.get(path_of_study(id)));
   }
   if (arguments.json) std::cout << (ids.size() == 1 ? studies.front() : studies).dump(2) << '\n';
   return code;

@@ -6,8 +6,10 @@
 
 namespace capstan {
 
-/// Shows the progress of a study, which the server has just been asked for, until all its cases have ended;
-/// the exit code says whether all have an answer. A server that is being restarted is waited for.
+/// Prints the progress of a study until all its cases have ended, then the messages of those that failed.
+/// Waits up to two minutes for a server that does not answer: it may be restarting. Returns the exit code:
+/// kExitDone if every case is done, else kExitNoAnswer. \param is_terminal  whether `out` is one: then one
+/// line is renewed
 int watch_study(Client& client, const std::string& study_id, std::ostream& out, bool is_terminal);
 
 }  // namespace capstan

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <utility>
 
+#include "runner/cli/resolve.hpp"
 #include "runner/render/result_columns.hpp"
 #include "runner/render/table.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string path_of_cases(const std::string& study_id) { return "/v1/studies/" + study_id + "/cases"; }
+std::string path_of_cases(const std::string& study_id) { return path_of_study(study_id, "/cases"); }
 
 void look_at_cases(Client& client, const std::string& study_id, ResultColumns& columns) {
   client.for_each_page(path_of_cases(study_id), "cases",
@@ -54,7 +55,7 @@ void write_results_csv(Client& client, const std::vector<std::string>& study_ids
 }
 
 std::string results_text(Client& client, const std::string& study_id) {
-  const ordered_json study = client.get("/v1/studies/" + study_id);
+  const ordered_json study = client.get(path_of_study(study_id));
   ResultColumns seen;
   look_at_cases(client, study_id, seen);
   const auto columns = seen.summary(study);

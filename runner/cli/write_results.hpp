@@ -1,6 +1,5 @@
 #pragma once
-// The results of a study in memory that does not grow with their number: they come in pages and are written
-// page by page.
+// Writes the results of studies page by page, so that memory does not grow with their number.
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -9,14 +8,14 @@
 
 namespace capstan {
 
-/// Of one study {"study": .., "cases": [..]}, of several a list of those.
+/// One study: {"study": id, "cases": [..]}. Several: a list of these.
 void write_results_json(Client& client, const std::vector<std::string>& study_ids, std::ostream& out);
 
-/// Everything, a line a point; of several studies one table, whose first column is the study. The pages are
-/// asked for twice: which columns there are is known after the last one.
+/// CSV with all columns, one line a point. Several studies share one table, whose first column is the study.
+/// Every page is fetched twice: the set of columns is known only after the last one.
 void write_results_csv(Client& client, const std::vector<std::string>& study_ids, std::ostream& out);
 
-/// What varies and what came of it, aligned: of each point its few cells are kept.
+/// An aligned table of the parameters that vary and the results. Keeps the few cells of each point in memory.
 std::string results_text(Client& client, const std::string& study_id);
 
 }  // namespace capstan

@@ -47,8 +47,4 @@ ParsedDiagram phase_diagram(const nlohmann::ordered_json& study, const std::vect
 nlohmann::ordered_json to_json(const PhaseDiagram& diagram);
 PhaseDiagram phase_diagram_from_json(const nlohmann::ordered_json& json);
 
-/// A grid of TB, TT, TR, …  with a legend; y upwards, as in the paper.
-/// \param coloured  with the escape codes of a terminal
-std::string render(const PhaseDiagram& diagram, bool coloured);
-
 }  // namespace capstan

@@ -1,21 +1,24 @@
+#include "runner/render/phase_diagram_text.hpp"
+
 #include <algorithm>
 #include <array>
 
-#include "runner/queries/phase_diagram.hpp"
 #include "runner/render/table.hpp"
 #include "runner/study/shown_value.hpp"
 
 namespace capstan {
 namespace {
 
+/// How a cell of the grid is shown.
 struct Mark {
-  const char* name;    ///< a motion, or a state without one
-  const char* text;    ///< three columns wide in the grid
+  const char* name;    ///< motion of the cell, or its state if it has no motion yet
+  const char* text;    ///< up to two characters
   const char* colour;  ///< SGR parameters (ECMA-48)
   const char* meaning;
 };
 
-/// TB, TT, TR: the field's abbreviations. Colours that differ in lightness, too.
+/// TB, TT and TR are the usual abbreviations. The colours also differ in lightness, for readers who are
+/// colour-blind.
 constexpr std::array kMarks = {
     Mark{"tumbling", "TB", "1;97;41", "tumbling"},
     Mark{"tank_treading", "TT", "1;97;44", "tank-treading"},
@@ -39,32 +42,33 @@ std::string painted(const std::string& text, const Mark& mark, bool coloured) {
   return coloured ? std::string("\x1b[") + mark.colour + "m" + text + "\x1b[0m" : text;
 }
 
-/// In the middle of `width` columns.
+/// The text in the middle of `width` columns.
 std::string centred(const std::string& text, std::size_t width) {
   const std::size_t space = width - std::min(width, text.size());
   return std::string(space / 2, ' ') + text + std::string(space - space / 2, ' ');
 }
 
-std::size_t widest(const PhaseAxis& axis) {
+std::size_t max_width(const PhaseAxis& axis) {
   std::size_t width = 0;
   for (const nlohmann::json& value : axis.values) width = std::max(width, shown_value(value).size());
   return width;
 }
 
+/// One line for each mark that occurs.
 std::string legend(const PhaseDiagram& diagram, bool coloured) {
   std::string lines;
   for (const Mark& mark : kMarks) {
-    const auto shows_it = [&](const PhaseCell& cell) {
+    const auto has_mark = [&](const PhaseCell& cell) {
       return &mark_of(cell) == &mark && !cell.cases.empty();
     };
-    const auto has_it = [&](const auto& row) { return std::any_of(row.begin(), row.end(), shows_it); };
-    if (std::any_of(diagram.rows.begin(), diagram.rows.end(), has_it))
+    const auto contains_mark = [&](const auto& row) { return std::any_of(row.begin(), row.end(), has_mark); };
+    if (std::any_of(diagram.rows.begin(), diagram.rows.end(), contains_mark))
       lines += painted(centred(mark.text, 4), mark, coloured) + "  " + mark.meaning + "\n";
   }
   return lines;
 }
 
-/// "at E_b = 0.015", one line an axis that is not drawn.
+/// "at E_b = 0.015", one line for each axis that is not drawn.
 std::string fixed_text(const PhaseDiagram& diagram) {
   std::string text;
   for (const auto& [parameter, value] : diagram.at)
@@ -72,7 +76,8 @@ std::string fixed_text(const PhaseDiagram& diagram) {
   return text.empty() ? text : text + "\n";
 }
 
-/// One row of cells, with its y value in front.
+/// The y value and the cells of a row.
+/// \param margin, cell  widths of the y value and of a cell
 std::string row_text(const PhaseDiagram& diagram, std::size_t row, std::size_t margin, std::size_t cell,
                      bool coloured) {
   std::string line = aligned_right(shown_value(diagram.y.values[row]), margin) + " |";
@@ -85,9 +90,9 @@ std::string row_text(const PhaseDiagram& diagram, std::size_t row, std::size_t m
 
 }  // namespace
 
-std::string render(const PhaseDiagram& diagram, bool coloured) {
-  const std::size_t margin = std::max(widest(diagram.y), diagram.y.parameter.size()) + 1;
-  const std::size_t cell = std::max<std::size_t>(widest(diagram.x) + 2, 4);
+std::string phase_diagram_text(const PhaseDiagram& diagram, bool coloured) {
+  const std::size_t margin = std::max(max_width(diagram.y), diagram.y.parameter.size()) + 1;
+  const std::size_t cell = std::max<std::size_t>(max_width(diagram.x) + 2, 4);
   std::string text = aligned_right(diagram.y.parameter, margin) + "\n";
   for (std::size_t row = diagram.rows.size(); row-- > 0;)
     text += row_text(diagram, row, margin, cell, coloured);

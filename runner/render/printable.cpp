@@ -5,7 +5,7 @@
 namespace capstan {
 namespace {
 
-/// The length of the UTF-8 sequence that begins with this byte, 0 for a byte that begins none.
+/// Length of the UTF-8 sequence that starts with this byte; 0 if none does.
 std::size_t sequence_length(unsigned char first) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first < 0xE0) return 2;
@@ -13,9 +13,9 @@ std::size_t sequence_length(unsigned char first) {
   return first >= 0xF0 && first < 0xF5 ? 4 : 0;
 }
 
-/// The character at the beginning of the text, whose bytes are counted; -1, and one byte, where there is
-/// none.
-std::int32_t first_character(std::string_view text, std::size_t& length) {
+/// The code point at the start of the text, -1 if the bytes there are invalid.
+/// \param length  set to the number of its bytes; 1 for an invalid one
+std::int32_t first_code_point(std::string_view text, std::size_t& length) {
   length = sequence_length(static_cast<unsigned char>(text[0]));
   bool is_whole = length > 0 && length <= text.size();
   std::int32_t character = length == 1 ? text[0] : static_cast<unsigned char>(text[0]) & (0x7F >> length);
@@ -28,6 +28,7 @@ std::int32_t first_character(std::string_view text, std::size_t& length) {
   return is_whole ? character : -1;
 }
 
+/// \param character  code point, or -1
 bool is_safe(std::int32_t character) {
   if (character == '\n' || character == '\t') return true;
   const bool is_control = character < 0x20 || (character >= 0x7F && character < 0xA0);
@@ -41,7 +42,7 @@ bool is_safe(std::int32_t character) {
 std::string printable(std::string_view text) {
   std::string safe;
   for (std::size_t length = 0; !text.empty(); text.remove_prefix(length))
-    safe += is_safe(first_character(text, length)) ? std::string(text.substr(0, length)) : "?";
+    safe += is_safe(first_code_point(text, length)) ? std::string(text.substr(0, length)) : "?";
   return safe;
 }
 

@@ -18,7 +18,7 @@ std::string number_text(double number, Format... format) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number, format...).ptr};
 }
 
-/// The columns that a text in UTF-8 takes on a terminal, if its characters are letters.
+/// Columns that a text in UTF-8 takes on a terminal, at one column a character.
 std::size_t width_of(const std::string& text) {
   const auto begins_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
@@ -32,7 +32,7 @@ std::string short_text(const ordered_json& value, bool is_exact) {
   if (value.is_number_float() && !is_exact)
     return number_text(value.get<double>(), std::chars_format::general, 4);
   const std::string text = printable(shown_value(value));
-  return text.substr(0, text.find('\n'));  // the rest of a message is for `show`
+  return text.substr(0, text.find('\n'));  // only the first line of a message
 }
 
 std::string quoted(const std::string& text) {

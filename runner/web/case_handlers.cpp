@@ -1,6 +1,6 @@
 #include "runner/queries/queries.hpp"
 #include "runner/queries/why.hpp"
-#include "runner/render/export.hpp"
+#include "runner/render/result_tables.hpp"
 #include "runner/web/accept_header.hpp"
 #include "runner/web/handlers.hpp"
 

@@ -1,27 +1,28 @@
-#include "runner/worker/bench_kernel.hpp"
+#include "runner/worker/benchmarks.hpp"
 
 #include <omp.h>
 
 #include <cmath>
 #include <set>
 
-#include "runner/render/bench_report.hpp"
+#include "runner/worker/bench_report.hpp"
 #include "solver/baseline/kernel_speed.hpp"
 
 namespace capstan {
 namespace {
 
-enum class Number { float32, float64 };
+enum class Precision { single, double_ };
 
-/// Cubes that fit into a core's caches, into the shared one, and into none; and the patch around a red cell.
+/// Cubes that fit into a core's own caches, into the shared cache and into no cache; the fine grid around a
+/// red cell.
 constexpr Extent kSizes[] = {{32, 32, 32}, {64, 64, 64}, {128, 128, 128}, {44, 22, 24}};
 
-nlohmann::ordered_json measured_row(Kernel kernel, Number number, const Extent& cells, int threads) {
+nlohmann::ordered_json measured_row(Kernel kernel, Precision precision, const Extent& cells, int threads) {
   omp_set_num_threads(threads);
-  const KernelSpeed speed =
-      number == Number::float32 ? kernel_speed<float>(kernel, cells) : kernel_speed<double>(kernel, cells);
+  const KernelSpeed speed = precision == Precision::single ? kernel_speed<float>(kernel, cells)
+                                                           : kernel_speed<double>(kernel, cells);
   return {{"method", to_string(kernel)},
-          {"number", number == Number::float32 ? "float" : "double"},
+          {"number", precision == Precision::single ? "float" : "double"},
           {"cells",
            std::to_string(cells.nx) + " x " + std::to_string(cells.ny) + " x " + std::to_string(cells.nz)},
           {"threads", threads},
@@ -38,8 +39,8 @@ void bench_kernel(BenchReport& report) {
   nlohmann::ordered_json rows;
   for (const int threads : std::set{1, omp_get_max_threads()})
     for (const Kernel kernel : {nineteen_populations, four_moments, composite, composite_stress})
-      for (const Number number : {Number::float64, Number::float32})
-        for (const Extent& cells : kSizes) rows.push_back(measured_row(kernel, number, cells, threads));
+      for (const Precision precision : {Precision::double_, Precision::single})
+        for (const Extent& cells : kSizes) rows.push_back(measured_row(kernel, precision, cells, threads));
   report.add(
       "Million lattice updates a second (MLUPS), and their memory traffic as a share of what scaling an "
       "array in "

@@ -1,4 +1,4 @@
-#include "runner/worker/bench_scaling.hpp"
+#include "runner/worker/benchmarks.hpp"
 
 #include <omp.h>
 #include <sys/resource.h>
@@ -7,25 +7,25 @@
 #include <thread>
 #include <vector>
 
-#include "runner/render/bench_report.hpp"
+#include "runner/worker/bench_report.hpp"
+#include "runner/worker/red_cell_case.hpp"
 #include "runner/worker/timed_run.hpp"
 
 namespace capstan {
 namespace {
 
-constexpr double kSpan = 3;  // seconds a figure
+constexpr double kSpan = 3;  // seconds of measurement for each number
 
+/// Of this process since its start.
 double peak_memory_mb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return double(usage.ru_maxrss) / 1024;
 }
 
-double milliseconds_a_step(const TimedRun& run) {
-  return std::round(1e5 * run.steady_seconds / double(std::max(1L, run.steps - 1))) / 100;
-}
+double milliseconds_a_step(const TimedRun& run) { return std::round(1e5 * run.seconds_per_step()) / 100; }
 
-void print_resolutions(BenchReport& report) {
+void add_resolutions(BenchReport& report) {
   struct Resolution {
     double dx, kdt;
     int nodes;
@@ -33,7 +33,7 @@ void print_resolutions(BenchReport& report) {
   nlohmann::ordered_json rows;
   for (const auto& [dx, kdt, nodes] :
        {Resolution{0.4, 0.08, 162}, {0.2, 0.08, 642}, {0.1, 0.04, 2562}, {0.05, 0.01, 10242}}) {
-    const TimedRun run = timed_run(red_cell(0.4, dx, nodes, kdt, 30), kSpan);
+    const TimedRun run = timed_run(red_cell_case(0.4, dx, nodes, kdt, 30), kSpan);
     rows.push_back({{"dx", dx},
                     {"nodes", nodes},
                     {"ms a step", milliseconds_a_step(run)},
@@ -43,32 +43,32 @@ void print_resolutions(BenchReport& report) {
   report.add("Resolution: red cell, Ca = 0.4, V = 4, one core, from some seconds of steps", rows);
 }
 
-void print_threads(BenchReport& report) {
+void add_threads(BenchReport& report) {
   nlohmann::ordered_json rows;
   for (int threads = 1; threads <= omp_get_num_procs(); ++threads) {
     omp_set_num_threads(threads);
-    const double standard = milliseconds_a_step(timed_run(red_cell(0.4, 0.1, 2562, 0.04, 30), kSpan));
-    const double fine = milliseconds_a_step(timed_run(red_cell(0.4, 0.05, 10242, 0.01, 30), kSpan));
+    const double standard = milliseconds_a_step(timed_run(red_cell_case(0.4, 0.1, 2562, 0.04, 30), kSpan));
+    const double fine = milliseconds_a_step(timed_run(red_cell_case(0.4, 0.05, 10242, 0.01, 30), kSpan));
     rows.push_back({{"threads", threads}, {"ms a step, dx = 0.1", standard}, {"dx = 0.05", fine}});
   }
   omp_set_num_threads(1);
   report.add("Threads of one case", rows);
 }
 
-void print_cases(BenchReport& report) {
+void add_cases_side_by_side(BenchReport& report) {
   nlohmann::ordered_json rows;
   for (int cases = 1; cases <= omp_get_num_procs(); ++cases) {
-    std::vector<long> steps(cases);
+    std::vector<long> rates(cases);  // steps a second of each
     std::vector<std::thread> threads;
-    for (long& done : steps)
-      threads.emplace_back([&done] {
+    for (long& rate : rates)
+      threads.emplace_back([&rate] {
         omp_set_num_threads(1);
-        const TimedRun run = timed_run(red_cell(0.4, 0.1, 2562, 0.04, 30), kSpan);
-        done = std::lround(double(run.steps) / run.wall_seconds);
+        const TimedRun run = timed_run(red_cell_case(0.4, 0.1, 2562, 0.04, 30), kSpan);
+        rate = std::lround(double(run.steps) / run.wall_seconds);
       });
     for (std::thread& thread : threads) thread.join();
     long together = 0;
-    for (long done : steps) together += done;
+    for (long rate : rates) together += rate;
     rows.push_back({{"cases side by side", cases}, {"steps a second, all together", together}});
   }
   report.add("Cases side by side, dx = 0.1", rows);
@@ -78,9 +78,9 @@ void print_cases(BenchReport& report) {
 
 void bench_scaling(BenchReport& report) {
   omp_set_num_threads(1);
-  print_resolutions(report);
-  print_threads(report);
-  print_cases(report);
+  add_resolutions(report);
+  add_threads(report);
+  add_cases_side_by_side(report);
 }
 
 }  // namespace capstan

@@ -5,6 +5,7 @@
 #include "runner/study/input_file.hpp"
 
 namespace capstan {
+
 ParsedCase read_case(const std::filesystem::path& path) {
   const ParsedJson json = parse_json(read_input(path));
   const bool is_study = json.value && json.value->is_object() && json.value->contains("base");
@@ -16,7 +17,7 @@ ParsedCase read_case(const std::filesystem::path& path) {
   return refused;
 }
 
-void print_faults(const std::filesystem::path& file, const Issues& issues) {
+void print_case_issues(const std::filesystem::path& file, const Issues& issues) {
   for (const Issue& issue : issues)
     std::cerr << input_name(file) << ": " << (issue.pointer.empty() ? "" : issue.pointer + ": ")
               << issue.message << "\n";

@@ -1,15 +1,15 @@
 #pragma once
-// A case from its file; "-" is standard input.
+// Reads the file of a case; "-" is standard input.
 #include <filesystem>
 
 #include "solver/case/parse.hpp"
 
 namespace capstan {
 
-/// The case, or all that is wrong with it. Throws std::system_error when the file cannot be read.
+/// The case, or all its issues: a study is one. Throws std::system_error if the file cannot be read.
 ParsedCase read_case(const std::filesystem::path& path);
 
-/// One line each, to standard error.
-void print_faults(const std::filesystem::path& file, const Issues& issues);
+/// Prints one line an issue to standard error.
+void print_case_issues(const std::filesystem::path& file, const Issues& issues);
 
 }  // namespace capstan

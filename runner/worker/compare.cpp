@@ -14,12 +14,14 @@
 namespace capstan {
 namespace {
 
+/// The end of a run.
 struct Run {
   Record last;
-  double seconds = 0;
+  double seconds = 0;  ///< wall time
 };
 
-std::optional<Run> run(const Case& c) {
+/// Nothing if the run did not reach its end; then the reason is printed to standard error.
+std::optional<Run> run_to_end(const Case& c) {
   const TimedRun timed = timed_run(c);
   if (timed.outcome.stop == Stop::reached_end) return Run{timed.history.back(), timed.wall_seconds};
   std::cerr << to_string(c.fluid) << ": " << to_string(timed.outcome.stop) << ": " << timed.outcome.message
@@ -27,15 +29,16 @@ std::optional<Run> run(const Case& c) {
   return std::nullopt;
 }
 
-struct Grid {
-  double dx, box;
+struct LatticeSize {
+  double dx, box;  ///< spacing and edge
 };
 /// The box is doubled twice at one spacing, then the spacing is halved twice in the largest box.
-constexpr std::array<Grid, 5> kGrids = {{{0.2, 6.4}, {0.2, 12.8}, {0.2, 25.6}, {0.1, 25.6}, {0.05, 25.6}}};
-constexpr double kMaxStep = 0.02;  // so that the step in time is no part of the difference
+constexpr std::array<LatticeSize, 5> kLattices = {
+    {{0.2, 6.4}, {0.2, 12.8}, {0.2, 25.6}, {0.1, 25.6}, {0.05, 25.6}}};
+constexpr double kMaxStep = 0.02;  // small enough that its error does not count in the comparison
 
-/// The same case, of whatever fluid it is, in this one. \param Re of the fluid, if it has any
-Case in_fluid(const Case& c, const char* fluid, double Re, const nlohmann::json& fidelity) {
+/// The case with another flow model. \param Re  0 for boundary integrals
+Case with_fluid(const Case& c, const char* fluid, double Re, const nlohmann::json& fidelity) {
   nlohmann::json object = to_json(c);
   object["fluid"] = fluid;
   object["Re"] = Re;
@@ -43,20 +46,20 @@ Case in_fluid(const Case& c, const char* fluid, double Re, const nlohmann::json&
   return parse_case(object).value.value();
 }
 
-Case in_stokes_flow(const Case& c) { return in_fluid(c, "stokes", 0, {{"nodes", c.fidelity.nodes}}); }
+Case in_stokes_flow(const Case& c) { return with_fluid(c, "stokes", 0, {{"nodes", c.fidelity.nodes}}); }
 
-Case on_lattice(const Case& c, const Grid& grid) {
-  constexpr double kSmallRe = 0.05;  // for a case without inertia, which a lattice cannot do without
-  Case on_grid = in_fluid(c, "quasisteady", c.Re > 0 ? c.Re : kSmallRe,
-                          {{"nodes", c.fidelity.nodes}, {"dx", grid.dx}, {"box", grid.box}});
-  on_grid.fidelity.kdt = std::min(on_grid.fidelity.kdt, kMaxStep);
-  return on_grid;
+Case on_lattice(const Case& c, const LatticeSize& lattice) {
+  constexpr double kSmallRe = 0.05;  // for a case with Re = 0: the lattice needs Re > 0
+  Case result = with_fluid(c, "quasisteady", c.Re > 0 ? c.Re : kSmallRe,
+                           {{"nodes", c.fidelity.nodes}, {"dx", lattice.dx}, {"box", lattice.box}});
+  result.fidelity.kdt = std::min(result.fidelity.kdt, kMaxStep);
+  return result;
 }
 
-void print_row(const char* fluid, const Grid* grid, const Run& run, const Record& stokes) {
+void print_row(const char* fluid, const LatticeSize* lattice, const Run& run, const Record& stokes) {
   std::printf("| %-11s |", fluid);
-  if (grid)
-    std::printf(" %4g | %4g |", grid->dx, grid->box);
+  if (lattice)
+    std::printf(" %4g | %4g |", lattice->dx, lattice->box);
   else
     std::printf("      |      |");
   std::printf(" %.4f | %+6.2f %% | %+7.4f | %+7.4f | %7.1f |\n", run.last.D_xy,
@@ -65,18 +68,22 @@ void print_row(const char* fluid, const Grid* grid, const Run& run, const Record
   std::fflush(stdout);
 }
 
-/// The limit of no spacing, to which the delta function's width converges at first order, and of no walls,
-/// whose effect falls with the cube of their distance. \param on values on kGrids
-double limit(const std::array<double, 5>& on) { return on[4] + (on[4] - on[3]) + (on[2] - on[1]) / 7; }
-
-double order_in_dx(const std::array<double, 5>& on) {
-  return std::log2(std::abs((on[2] - on[3]) / (on[3] - on[4])));
+/// Richardson extrapolation to dx = 0 and an infinite box. The error of the smoothed delta function is of
+/// first order in dx; the effect of the walls falls with the cube of their distance, so that doubling the box
+/// leaves an eighth. \param values  on kLattices
+double extrapolated(const std::array<double, 5>& values) {
+  return values[4] + (values[4] - values[3]) + (values[2] - values[1]) / 7;
 }
 
-nlohmann::ordered_json row_of(const char* fluid, const Grid* grid, const Run& run) {
+/// Observed order of convergence. \param values  on kLattices
+double order_in_dx(const std::array<double, 5>& values) {
+  return std::log2(std::abs((values[2] - values[3]) / (values[3] - values[4])));
+}
+
+nlohmann::ordered_json row_of(const char* fluid, const LatticeSize* lattice, const Run& run) {
   nlohmann::ordered_json row = {{"fluid", fluid}};
-  if (grid) row["dx"] = grid->dx;
-  if (grid) row["box"] = std::isfinite(grid->box) ? nlohmann::ordered_json(grid->box) : nullptr;
+  if (lattice) row["dx"] = lattice->dx;
+  if (lattice) row["box"] = std::isfinite(lattice->box) ? nlohmann::ordered_json(lattice->box) : nullptr;
   row["D_xy"] = run.last.D_xy;
   row["theta"] = run.last.theta;
   row["seconds"] = run.seconds;
@@ -90,29 +97,30 @@ void print_head(const std::filesystem::path& file, const Case& c) {
   std::printf("|---|---|---|---|---|---|---|---|\n");
 }
 
-/// What was found, without `order_in_dx` if a run had no answer. As text each run is printed as it ends.
+/// Runs one case with all models. As text each run is printed as it ends. Returns the JSON document; it has
+/// no "order_in_dx" if a run did not reach its end.
 nlohmann::ordered_json compare(const std::filesystem::path& file, const Case& c, bool json) {
   nlohmann::ordered_json found = {
       {"file", file.string()}, {"case", to_json(c)}, {"runs", nlohmann::ordered_json::array()}};
   if (!json) print_head(file, c);
-  const auto stokes = run(in_stokes_flow(c));
+  const auto stokes = run_to_end(in_stokes_flow(c));
   if (!stokes) return found;
-  const auto add = [&](const char* fluid, const Grid* grid, const Run& run) {
-    found["runs"].push_back(row_of(fluid, grid, run));
-    if (!json) print_row(fluid, grid, run, stokes->last);
+  const auto add = [&](const char* fluid, const LatticeSize* lattice, const Run& run) {
+    found["runs"].push_back(row_of(fluid, lattice, run));
+    if (!json) print_row(fluid, lattice, run, stokes->last);
   };
   add("stokes", nullptr, *stokes);
   std::array<double, 5> D_xy{}, theta{};
-  for (std::size_t i = 0; i < kGrids.size(); ++i) {
-    const auto lattice = run(on_lattice(c, kGrids[i]));
-    if (!lattice) return found;
-    add("quasisteady", &kGrids[i], *lattice);
-    D_xy[i] = lattice->last.D_xy, theta[i] = lattice->last.theta;
+  for (std::size_t i = 0; i < kLattices.size(); ++i) {
+    const auto lattice_run = run_to_end(on_lattice(c, kLattices[i]));
+    if (!lattice_run) return found;
+    add("quasisteady", &kLattices[i], *lattice_run);
+    D_xy[i] = lattice_run->last.D_xy, theta[i] = lattice_run->last.theta;
   }
-  Run extrapolated;
-  extrapolated.last.D_xy = limit(D_xy), extrapolated.last.theta = limit(theta);
-  const Grid none{0, INFINITY};
-  add("limit", &none, extrapolated);
+  Run limit;
+  limit.last.D_xy = extrapolated(D_xy), limit.last.theta = extrapolated(theta);
+  const LatticeSize limit_size{0, INFINITY};
+  add("limit", &limit_size, limit);
   found["order_in_dx"] = order_in_dx(D_xy);
   if (!json) std::printf("\norder in dx: %.2f\n", order_in_dx(D_xy));
   return found;
@@ -124,7 +132,7 @@ int compare_models(const std::vector<std::filesystem::path>& case_files, bool js
   std::vector<Case> cases;
   for (const std::filesystem::path& file : case_files) {
     const ParsedCase parsed = read_case(file);
-    print_faults(file, parsed.issues);
+    print_case_issues(file, parsed.issues);
     if (parsed.value) cases.push_back(*parsed.value);
   }
   if (cases.size() < case_files.size()) return kExitInvalidInput;

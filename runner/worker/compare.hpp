@@ -1,14 +1,14 @@
 #pragma once
-// Two methods that share nothing but the membrane: what `capstan compare` does.
+// Compares two flow models that share only the membrane.
 #include <filesystem>
 #include <vector>
 
 namespace capstan {
 
-/// Runs each case in Stokes flow by boundary integrals, and on lattices whose spacing is halved twice and
-/// whose box is doubled twice; prints a table for each, and how far the lattice is from Stokes flow in the
-/// limit of no spacing and no walls. Faults go to standard error. \return the exit code of
-/// schema/exit_codes.md
+/// `capstan compare`: runs each case with boundary integrals, then with the quasisteady lattice at three
+/// spacings and in three boxes. Prints D_xy and theta at the end of each run, and the lattice's values
+/// extrapolated to no spacing and no walls. Prints issues to standard error. Returns the exit code
+/// (schema/exit_codes.md): kExitNoAnswer if a run does not reach its end.
 int compare_models(const std::vector<std::filesystem::path>& case_files, bool json);
 
 }  // namespace capstan

@@ -11,10 +11,10 @@
 namespace capstan {
 namespace {
 
-constexpr double kProbeSeconds = 2;  // of all probes together
-constexpr std::size_t kMaxProbes = 8;
+constexpr double kMeasurementSeconds = 2;  // of all measurements together
+constexpr std::size_t kMaxMeasurements = 8;
 
-/// Cases of one kind differ in parameters of the physics alone.
+/// Cases of one kind differ only in the values of physical parameters and in the time step.
 std::string kind_of(const Case& c) {
   const nlohmann::ordered_json json = to_json(c);
   nlohmann::json fidelity = json["fidelity"];
@@ -23,45 +23,46 @@ std::string kind_of(const Case& c) {
          (c.has_bending() ? "E" : "");
 }
 
-struct Probe {
-  const Case* at;
-  double scale;  ///< seconds to the end over run_cost
+struct Measurement {
+  const Case* measured;
+  double ratio;  ///< measured seconds over run_cost()
 };
 
 double distance(const Case& a, const Case& b) {
   return std::hypot(std::log(a.Ca / b.Ca), std::log(a.V / b.V));
 }
 
-Probe probe(const Case& c, double seconds) {
-  const TimedRun run = timed_run(c, seconds);
-  if (run.kt == 0) return {&c, 1};  // it broke down at once
-  const double a_step = run.steady_seconds / double(std::max(1L, run.steps - 1));
-  const double steps_to_end = double(run.steps) * c.until.kt / run.kt;
-  return {&c, a_step * steps_to_end / run_cost(c)};
-}
-
-/// So many of the kind as there is time for, evenly spread.
-std::vector<Probe> probes_of(const std::vector<const Case*>& kind, std::size_t kinds) {
-  const std::size_t count = std::min(kind.size(), std::max<std::size_t>(1, kMaxProbes / kinds));
-  std::vector<Probe> probes;
-  for (std::size_t i = 0; i < count; ++i)
-    probes.push_back(
-        probe(*kind[(2 * i + 1) * kind.size() / (2 * count)], kProbeSeconds / double(count * kinds)));
-  return probes;
+/// As many cases of a kind as there is time for, spread evenly.
+std::vector<Measurement> measure(const std::vector<const Case*>& kind, std::size_t kinds,
+                                 const CaseTimer& time) {
+  const std::size_t count = std::min(kind.size(), std::max<std::size_t>(1, kMaxMeasurements / kinds));
+  std::vector<Measurement> measurements;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Case& c = *kind[(2 * i + 1) * kind.size() / (2 * count)];
+    measurements.push_back({&c, time(c, kMeasurementSeconds / double(count * kinds)) / run_cost(c)});
+  }
+  return measurements;
 }
 
 }  // namespace
 
-std::vector<double> estimated_seconds(const std::vector<Case>& cases) {
+double time_by_short_run(const Case& c, double seconds) {
+  const TimedRun run = timed_run(c, seconds);
+  if (run.kt == 0) return run_cost(c);  // the first step already failed
+  const double steps_to_end = double(run.steps) * c.until.kt / run.kt;
+  return run.seconds_per_step() * steps_to_end;
+}
+
+std::vector<double> estimated_seconds(const std::vector<Case>& cases, const CaseTimer& time) {
   std::map<std::string, std::vector<const Case*>> kinds;
   for (const Case& c : cases) kinds[kind_of(c)].push_back(&c);
-  std::map<std::string, std::vector<Probe>> probes;
-  for (const auto& [kind, members] : kinds) probes[kind] = probes_of(members, kinds.size());
+  std::map<std::string, std::vector<Measurement>> measurements;
+  for (const auto& [kind, members] : kinds) measurements[kind] = measure(members, kinds.size(), time);
   std::vector<double> seconds;
   for (const Case& c : cases) {
-    const Probe& nearest = *std::ranges::min_element(
-        probes[kind_of(c)], {}, [&](const Probe& other) { return distance(c, *other.at); });
-    seconds.push_back(run_cost(c) * nearest.scale);
+    const Measurement& nearest = *std::ranges::min_element(
+        measurements[kind_of(c)], {}, [&](const Measurement& other) { return distance(c, *other.measured); });
+    seconds.push_back(run_cost(c) * nearest.ratio);
   }
   return seconds;
 }

@@ -1,9 +1,8 @@
 #include "runner/worker/timed_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
-
-#include "solver/case/parse.hpp"
 
 namespace capstan {
 namespace {
@@ -20,60 +19,50 @@ double processor_seconds() {
   return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-/// Keeps the history, and asks for the end when the time is up.
-class Stopwatch : public RunOutput {
+/// Keeps the history, and interrupts the run when the time is over.
+class TimedOutput : public RunOutput {
  public:
-  explicit Stopwatch(double longest) : longest_(longest) {}
+  explicit TimedOutput(double max_seconds) : max_seconds_(max_seconds) {}
 
   void record(const Record& now) override { history.push_back(now); }
   void shape(double, int, const Points&, const Points&, const Points&) override {}
   void checkpoint(StateArchive) override {}
   bool is_checkpoint_due(long) override { return false; }
+  /// The simulation asks after each step.
   bool interrupted() const override {
-    if (++steps_ == 1) first_step_ = seconds_since(start_);
-    return steps_ > 1 && seconds_since(start_) > longest_;
+    if (++steps_ == 1) first_step_end_ = seconds_since(start_);
+    return steps_ > 1 && seconds_since(start_) > max_seconds_;
   }
 
-  double since_first_step() const { return seconds_since(start_) - first_step_; }
+  double seconds_since_first_step() const { return seconds_since(start_) - first_step_end_; }
 
   History history;
 
  private:
-  double longest_;
+  double max_seconds_;
   Clock::time_point start_ = Clock::now();
   mutable long steps_ = 0;
-  mutable double first_step_ = 0;
+  mutable double first_step_end_ = 0;
 };
 
 }  // namespace
 
-TimedRun timed_run(const Case& c, double longest_seconds) {
+double TimedRun::seconds_per_step() const { return steady_seconds / double(std::max(1L, steps - 1)); }
+
+TimedRun timed_run(const Case& c, double max_seconds) {
   Simulation simulation(c);
   const double cpu = processor_seconds();
   const auto start = Clock::now();
-  Stopwatch stopwatch(longest_seconds);
-  const Outcome outcome = simulation.run(stopwatch);
+  TimedOutput output(max_seconds);
+  const Outcome outcome = simulation.run(output);
   return {.outcome = outcome,
-          .history = std::move(stopwatch.history),
+          .history = std::move(output.history),
           .verdict = simulation.verdict(),
           .steps = simulation.statistics().steps,
           .kt = simulation.kt(),
-          .seconds = processor_seconds() - cpu,
+          .cpu_seconds = processor_seconds() - cpu,
           .wall_seconds = seconds_since(start),
-          .steady_seconds = stopwatch.since_first_step()};
-}
-
-Case red_cell(double Ca, double dx, int nodes, double kdt, double kt) {
-  return parse_case({{"shape", "biconcave"},
-                     {"law", "skalak"},
-                     {"C", 5},
-                     {"E_b", 0.015},
-                     {"Ca", Ca},
-                     {"V", 4},
-                     {"fluid", "quasisteady"},
-                     {"until", {{"kt", kt}}},
-                     {"fidelity", {{"preset", "standard"}, {"dx", dx}, {"nodes", nodes}, {"kdt", kdt}}}})
-      .value.value();
+          .steady_seconds = output.seconds_since_first_step()};
 }
 
 }  // namespace capstan

@@ -1,5 +1,5 @@
 #pragma once
-// Runs without files, and what they cost.
+// A run in memory, without files, and the time it took.
 #include "solver/case/case.hpp"
 #include "solver/observe/classify.hpp"
 #include "solver/simulation/simulation.hpp"
@@ -7,20 +7,21 @@
 namespace capstan {
 
 struct TimedRun {
-  Outcome outcome;  ///< interrupted where the time was up
+  Outcome outcome;  ///< interrupted if the limit of time was reached
   History history;
   Verdict verdict;
-  long steps = 0;      ///< of the membrane
-  double kt = 0;       ///< where the last of them ended
-  double seconds = 0;  ///< of processor time, all threads
-  double wall_seconds = 0;
-  double steady_seconds = 0;  ///< of wall time of all steps but the first, which starts from nothing
+  long steps = 0;           ///< steps of the membrane
+  double kt = 0;            ///< end of the last step
+  double cpu_seconds = 0;   ///< processor time of all threads
+  double wall_seconds = 0;  ///< of all steps
+  double steady_seconds =
+      0;  ///< wall time of all steps but the first, whose flow has no previous one to start from
+
+  /// Wall time of a step after the first.
+  double seconds_per_step() const;
 };
 
-/// Runs a case to its end, or for so many seconds and at least two steps.
-TimedRun timed_run(const Case& c, double longest_seconds = 1e9);
-
-/// The paper's red cell (Skalak C = 5, E_b = 0.015, V = 4) on a lattice of this spacing, unbroken to kt.
-Case red_cell(double Ca, double dx, int nodes, double kdt, double kt);
+/// Runs a case until it ends or has taken `max_seconds` of wall time, but at least two steps.
+TimedRun timed_run(const Case& c, double max_seconds = 1e9);
 
 }  // namespace capstan

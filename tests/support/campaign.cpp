@@ -40,7 +40,7 @@ std::map<std::string, Answer> answers_in(const std::filesystem::path& data) {
 
 std::string broken_promise(const std::filesystem::path& data) {
   Database database = reader_of(data);
-  for (const std::string& fault : damage_of(database)) return fault;
+  for (const std::string& damage : damage_of(database)) return damage;
   for (const std::string& study : miscounted_studies(database)) return "the sums of " + study;
   if (has_rows(
           database,

@@ -1,5 +1,5 @@
 #pragma once
-// A certificate for "localhost" that nobody but its owner has signed, and its key; an hour old at the end.
+// A self-signed certificate for "localhost" and its key, valid for an hour.
 #include <openssl/ec.h>
 #include <openssl/pem.h>
 #include <openssl/x509v3.h>

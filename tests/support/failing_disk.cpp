@@ -21,7 +21,7 @@ bool shell(const std::string& command) { return std::system((command + " >/dev/n
 FailingDisk::FailingDisk() {
   const std::string image = directory_.path() / "image";
   std::filesystem::create_directory(path());
-  is_mounted_ = keep_mounts_to_oneself() && shell("truncate -s 300M " + image) &&
+  is_mounted_ = enter_mount_namespace() && shell("truncate -s 300M " + image) &&
                 shell("PATH=$PATH:/sbin mkfs.ext4 -q " + image) && mount_image();
 }
 
@@ -34,7 +34,7 @@ bool FailingDisk::mount_image() const {
                path().string());
 }
 
-/// First everything is on the disk, so that nothing in memory hides the fault.
+/// Writes all dirty pages first: otherwise reads from memory would hide the failure.
 void FailingDisk::fail() const {
   sync();
   mount("none", path().c_str(), nullptr, MS_REMOUNT, "abort");

@@ -1,6 +1,5 @@
 #pragma once
-// A file system on a device of its own (ext4), for the time of a test, that can fail beneath whoever works on
-// it.
+// A file system (ext4 in a loop device) for one test, whose device can be made to fail while it is mounted.
 #include <filesystem>
 
 #include "tests/support/temporary_directory.hpp"
@@ -14,14 +13,14 @@ class FailingDisk {
   FailingDisk(const FailingDisk&) = delete;
   FailingDisk& operator=(const FailingDisk&) = delete;
 
-  /// False where this user may not mount devices: then there is nothing to test with.
+  /// False if this user may not mount devices: then the test is to be skipped.
   bool is_mounted() const { return is_mounted_; }
   std::filesystem::path path() const { return directory_.path() / "disk"; }
 
-  /// As the kernel does when the device has failed: what is written from now on is refused, also through
-  /// files that are open, and all can still be read.
+  /// What the kernel does after an error of the device: every write fails from now on, also to open files.
+  /// Reading still works.
   void fail() const;
-  /// Once nobody works on it any more.
+  /// Mounts it again. No file of it may be open.
   void repair();
 
  private:
@@ -31,7 +30,8 @@ class FailingDisk {
   bool is_mounted_ = false;
 };
 
-/// Whether a file may be changed by anyone, also through what is open already.
+/// Sets or clears the immutable flag of a file (chattr +i): nobody can write to it, also not through open
+/// descriptors.
 void make_unchangeable(const std::filesystem::path& file, bool is_unchangeable);
 
 }  // namespace capstan

@@ -1,5 +1,5 @@
 #pragma once
-// A clock that stands still until it is moved.
+// A clock that stands still until the test moves it.
 #include "runner/store/clock.hpp"
 
 namespace capstan {
@@ -9,7 +9,7 @@ class FakeClock : public Clock {
   Time now() const override { return now_; }
   std::chrono::milliseconds elapsed() const override { return elapsed_; }
   void advance(std::chrono::milliseconds duration) { jump(duration), elapsed_ += duration; }
-  /// Someone sets the clock, or the machine has slept.
+  /// Sets the wall clock, as an administrator would; `elapsed` does not change.
   void jump(std::chrono::milliseconds difference) { now_ += difference; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// An executor without processes: a test says when a run ends, and how.
+// An executor without processes: the test decides when and how each run ends.
 #include <map>
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace capstan {
 class FakeExecutor : public Executor {
  public:
   RunHandle start(const RunDirectory& directory) override {
-    if (is_broken) throw std::runtime_error("no process to be had");
+    if (is_broken) throw std::runtime_error("cannot start a process");
     const RunHandle run = "run " + std::to_string(++count_);
     directories.emplace(run, directory);
     running.push_back(run);
@@ -22,7 +22,7 @@ class FakeExecutor : public Executor {
     return end == ends_.end() ? std::nullopt : std::optional(end->second);
   }
 
-  /// Computes all the time, unless a test says that it stands still.
+  /// One more second of processor time at each call, unless `is_stopped`.
   std::optional<RunUsage> usage(const RunHandle&) override {
     if (!is_stopped) usage_.cpu_seconds += 1;
     return usage_;

@@ -1,17 +1,17 @@
-// The program `capstan` with a solver that knows no physics: it obeys schema/run_directory.md, and what it
-// does is chosen by the viscosity ratio V of the case.
+// The program `capstan` with a solver without physics. It keeps to schema/run_directory.md; the viscosity
+// ratio V of the case selects what it does.
 //
-//   V = 40  computes without end, until there is a file `go` in its directory; then it completes
-//   V = 45  takes memory without end
-//   V = 46  writes a record of its history each 10 ms, without end
-//   V = 50  fails: exit code 3, result.json says why
+//   V = 40  uses its core until there is a file `go` in its directory, then completes
+//   V = 45  allocates memory without end
+//   V = 46  writes a record of its history every 10 ms, without end
+//   V = 50  diverges: exit code 3, result.json says why
 //   V = 60  dies by abort()
-//   V = 70  writes half of its history and waits for SIGTERM, then exits with 75; each time anew
-//   V = 80  the same, but once it has been interrupted, it completes
+//   V = 70  writes half of its history, waits for SIGTERM, exits with 75; the same when it is resumed
+//   V = 80  the same, but completes when it is resumed
 //   V = 90  refuses the case: exit code 2
-//   V = 55  fails as V = 50 does, but at fidelity `fast` alone
-//   V = 95  refuses as V = 90 does, but at fidelity `fast` alone
-//   other   tumbles below Ca = 0.5, tank-treads above
+//   V = 55  as V = 50, but only at fidelity `fast`; else it completes
+//   V = 95  as V = 90, but only at fidelity `fast`; else it completes
+//   other   completes: tumbling below Ca = 0.5, tank-treading above
 #include <unistd.h>
 
 #include <csignal>

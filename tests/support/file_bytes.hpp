@@ -1,5 +1,5 @@
 #pragma once
-// Whole files as bytes: what a crash test reads, damages and puts back.
+// Reads and writes whole files as bytes.
 #include <filesystem>
 #include <fstream>
 #include <iterator>

@@ -1,12 +1,13 @@
 #pragma once
-// What every force of a membrane must obey, whatever its law.
+// Checks that hold for the forces of every membrane law.
 #include <random>
 
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan::testing {
 
-/// -dE/dx by central differences.
+/// -dE/dx by central differences, 3 x #V.
+/// \param energy  function of the positions
 template <class Energy>
 Points negative_gradient(const Energy& energy, const Points& positions, double step = 1e-5) {
   Points result(3, positions.cols());
@@ -22,7 +23,7 @@ Points negative_gradient(const Energy& energy, const Points& positions, double s
   return result;
 }
 
-/// Largest difference over the largest entry of `exact`.
+/// Largest absolute difference of two entries over the largest entry of `exact`.
 inline double relative_error(const Points& exact, const Points& other) {
   return (exact - other).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
 }
@@ -35,7 +36,7 @@ inline Vec3 total_torque(const Points& positions, const Points& forces) {
   return torque;
 }
 
-/// The same shape, bumped at random by up to `size` in each coordinate; the same bumps every time.
+/// The positions moved at random by up to `size` in each coordinate; by the same amounts in every call.
 inline Points bumped(const Points& positions, double size) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> bump(-size, size);

@@ -1,5 +1,5 @@
 #pragma once
-// The history of a case that is run to its end.
+// Runs a case to its end and returns its history.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ inline History history_of(std::string_view case_text) {
   return output.records;
 }
 
-/// The record nearest to that time.
+/// The record whose time is nearest to kt.
 inline Record at(const History& history, double kt) {
   return *std::ranges::min_element(history, {}, [&](const Record& r) { return std::abs(r.kt - kt); });
 }

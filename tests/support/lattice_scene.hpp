@@ -1,5 +1,5 @@
 #pragma once
-// A sphere with a jump of viscosity and a force on its surface: what a multigrid cycle meets in a run.
+// A sphere with a viscosity ratio and a force on its surface, as a multigrid cycle of a run has to solve for.
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -29,7 +29,7 @@ class LatticeScene {
   double coordinate(int i) const { return (i + 0.5 - 0.5 * n_) * 12.8 / n_; }
   double dx() const { return 12.8 / n_; }
 
-  /// The stresslet of a tension that resists the shear.
+  /// A force on the surface that resists the shear, with the shape of a stresslet.
   void put_force(const LevelSettings& settings) {
     force_.reset({n_ / 4, n_ / 4, n_ / 4}, {n_ / 2, n_ / 2, n_ / 2});
     force_.for_each_row([&](int y, int z) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a simulation puts out, kept in memory.
+// Keeps the output of a simulation in memory.
 #include <map>
 #include <utility>
 #include <vector>
@@ -15,7 +15,7 @@ class MemoryOutput : public RunOutput {
              const Points& forces) override {
     shapes.push_back({kt, frame, positions, velocities, forces});
   }
-  /// Copies: the archive's views show the simulation's own state, which goes on.
+  /// Copies the state: the archive only refers to arrays of the simulation, which change.
   void checkpoint(StateArchive state) override {
     StateArchive& copy = checkpoints.emplace_back();
     for (const std::string& name : state.names()) {

@@ -1,6 +1,5 @@
 #pragma once
-// What a daemon of format 1 left when it was killed (tests/reference/queue_format_1.sql), as a database
-// again.
+// The database of a daemon of format 1 that was killed, from its dump tests/reference/queue_format_1.sql.
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
@@ -11,7 +10,7 @@
 
 namespace capstan {
 
-/// \param changed  SQL, for what it might have held besides
+/// \param changed  SQL that changes the tables after the dump is loaded
 inline void make_old_database(const std::filesystem::path& file, const std::string& changed = "") {
   const std::string sql = file_bytes(source_directory() / "tests/reference/queue_format_1.sql");
   sqlite3* old = nullptr;

@@ -8,7 +8,7 @@
 
 namespace capstan {
 
-bool keep_mounts_to_oneself() {
+bool enter_mount_namespace() {
   const uid_t user = getuid();
   const gid_t group = getgid();
   if (unshare(CLONE_NEWNS) != 0) {

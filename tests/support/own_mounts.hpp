@@ -2,8 +2,8 @@
 
 namespace capstan {
 
-/// From now on mounts of this process are seen by its children alone. A user without rights has them in a
-/// namespace of its own. False where neither can be had.
-bool keep_mounts_to_oneself();
+/// Enters a mount namespace: from now on only this process and its children see its mounts. A user who is not
+/// root enters a user namespace, too. Returns false if neither is allowed.
+bool enter_mount_namespace();
 
 }  // namespace capstan

@@ -1,5 +1,5 @@
 #pragma once
-// A valid case from the text of its file.
+// Parses the JSON text of a valid case.
 #include <stdexcept>
 #include <string_view>
 
@@ -7,7 +7,7 @@
 
 namespace capstan::testing {
 
-/// Throws with the first fault, if there is one.
+/// Throws std::invalid_argument with the first issue if there is one.
 inline Case parsed_case(std::string_view text) {
   const ParsedCase parsed = parse_case(nlohmann::json::parse(text));
   if (!parsed.value)

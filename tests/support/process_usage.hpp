@@ -1,5 +1,5 @@
 #pragma once
-// What a process takes, from /proc.
+// Memory and open files of a process, from /proc.
 #include <sys/types.h>
 
 #include <filesystem>

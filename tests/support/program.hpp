@@ -1,5 +1,5 @@
 #pragma once
-// The real program (with the fake solver) as a process: one command, or a daemon that can be killed.
+// The program CAPSTAN_PROGRAM as a process: one command, or a daemon that can be killed.
 #include <sys/types.h>
 
 #include <chrono>
@@ -16,23 +16,23 @@ struct CommandResult {
   std::string errors;  ///< standard error
 };
 
-/// Runs `capstan ARGUMENTS` in a shell, until it ends.
-/// \param redirection  of the shell, as ">/dev/full": then `output` is empty
+/// Runs `capstan ARGUMENTS` in a shell and waits for its end.
+/// \param redirection  of the shell, such as ">/dev/full"; then `output` is empty
 CommandResult run_capstan(const std::string& arguments, const std::string& redirection = "");
 
-/// The daemon ended before it said where it serves; `exit_code` as of Daemon::end_with.
+/// The daemon ended before it printed its address; `exit_code` as returned by Daemon::end_with.
 struct DaemonDied : std::runtime_error {
   DaemonDied(const std::string& said, int code)
       : std::runtime_error("the daemon said: " + said), exit_code(code) {}
   int exit_code;
 };
 
-/// `capstan serve` on a free port of its own.
+/// `capstan serve` on a free port.
 class Daemon {
  public:
-  /// Returns when it answers; throws DaemonDied if it does not come to that.
-  /// \param more     further arguments of `capstan serve`; three cores and a free port unless they say
-  /// otherwise \param fail_at  a fail point, "NAME:N" (runner/store/fail_point.hpp)
+  /// Returns when the daemon serves. Throws DaemonDied if it ends before.
+  /// \param more     further arguments; by default "--cores 3 --listen 127.0.0.1:0"
+  /// \param fail_at  fail point at which it is killed, "NAME:N" (runner/store/fail_point.hpp)
   explicit Daemon(const std::filesystem::path& data, const std::vector<std::string>& more = {},
                   const std::string& fail_at = "");
   ~Daemon();
@@ -45,7 +45,7 @@ class Daemon {
   /// Sends the signal and waits for the end: the exit code, or minus the signal that killed it.
   int end_with(int signal);
 
-  /// False if it is still there after that time.
+  /// Waits for the end for that time. Returns false if the daemon still runs.
   bool ends_within(std::chrono::milliseconds time);
 
  private:

@@ -3,7 +3,7 @@
 
 namespace capstan::testing {
 
-/// Rates that are all near 1 and all different: for whatever must hold at any rates.
+/// Relaxation rates that all differ, for properties that must hold at any rates.
 inline constexpr MrtRates kQuasisteadyRates = {1.35, 0.95, 1.0, 1.05, 1.21, 3, -5.5, -0.5};
 
 }  // namespace capstan::testing

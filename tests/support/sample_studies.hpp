@@ -4,7 +4,7 @@
 
 namespace capstan {
 
-/// A red cell's shape over the given axes, for example {"Ca", {0.25, 0.75}}.
+/// A study of a red blood cell. \param axes  for example {{"Ca", {0.25, 0.75}}}
 inline nlohmann::json study_document(const std::string& name, const nlohmann::json& axes) {
   return {
       {"name", name},

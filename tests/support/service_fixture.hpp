@@ -1,5 +1,5 @@
 #pragma once
-// A service whose clock stands still and whose runs end when the test says so.
+// A service with a clock and runs that the test controls.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,13 +16,12 @@ namespace capstan {
 
 class ServiceFixture : public testing::Test {
  protected:
-  /// What a daemon does that was killed and is started again.
+  /// As after a kill of the daemon: a new service on the same data.
   void restart() {
     service_.reset();
     service_ = std::make_unique<Service>(data_, executor_, clock_, 2, limits_);
   }
 
-  /// The run of that number, counted from its start, leaves these files.
   const RunDirectory& directory_of(const RunHandle& run) { return executor_.directories.at(run); }
   void write_history(const RunHandle& run, const std::string& lines) {
     std::ofstream(directory_of(run).history_file()) << lines;

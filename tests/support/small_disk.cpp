@@ -13,7 +13,7 @@ namespace capstan {
 
 SmallDisk::SmallDisk(const std::string& size) {
   is_mounted_ =
-      keep_mounts_to_oneself() && mount("none", path().c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
+      enter_mount_namespace() && mount("none", path().c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
 }
 
 SmallDisk::~SmallDisk() {

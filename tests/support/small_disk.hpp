@@ -1,5 +1,5 @@
 #pragma once
-// A file system of a given size, for the time of a test, that only this process and its children see.
+// A tmpfs of a given size for one test, visible to this process and its children only.
 #include <filesystem>
 #include <string>
 
@@ -9,18 +9,18 @@ namespace capstan {
 
 class SmallDisk {
  public:
-  /// \param size  as of tmpfs, "110m"
+  /// \param size  option of tmpfs, such as "110m"
   explicit SmallDisk(const std::string& size);
   ~SmallDisk();
   SmallDisk(const SmallDisk&) = delete;
   SmallDisk& operator=(const SmallDisk&) = delete;
 
-  /// False where this user may not mount anything: then there is nothing to test with.
+  /// False if this user may not mount a tmpfs: then the test is to be skipped.
   bool is_mounted() const { return is_mounted_; }
   const std::filesystem::path& path() const { return directory_.path(); }
 
-  void fill() const;   ///< to the last byte
-  void clear() const;  ///< takes away what fill() has put there
+  void fill() const;   ///< writes a file until no byte is free
+  void clear() const;  ///< removes that file
   void make_read_only(bool is_read_only) const;
 
  private:

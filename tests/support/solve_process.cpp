@@ -42,7 +42,7 @@ pid_t start(const std::filesystem::path& case_file, const std::filesystem::path&
   return pid;
 }
 
-/// Reads what has happened: the number of events.
+/// Reads the pending events. Returns their number.
 int events_in(int watch) {
   alignas(inotify_event) std::array<char, 4096> buffer;
   const auto size = read(watch, buffer.data(), buffer.size());

@@ -8,7 +8,8 @@
 
 namespace capstan {
 
-/// `capstan solve CASE --out DIRECTORY OPTIONS`, started at once; what it says goes to DIRECTORY.log.
+/// `capstan solve CASE --out DIRECTORY OPTIONS`. The constructor starts it; its standard error goes to
+/// DIRECTORY.log.
 class SolveProcess {
  public:
   SolveProcess(const std::filesystem::path& case_file, const std::filesystem::path& directory,
@@ -17,19 +18,20 @@ class SolveProcess {
   SolveProcess(const SolveProcess&) = delete;
   SolveProcess& operator=(const SolveProcess&) = delete;
 
-  /// Returns when the process has done so many things to the files of its directory, or has ended.
+  /// Waits until the process has created, written or renamed files of its directory that many times, or has
+  /// ended.
   void wait_for_writes(int count);
 
-  /// Sends the signal; a process that has ended takes no notice.
+  /// Sends the signal. No effect if the process has ended.
   void send(int signal);
 
-  /// Waits for the end: the exit code, or minus the signal that killed it.
+  /// Waits for the end. Returns the exit code, or minus the signal that killed the process.
   int wait();
 
  private:
   pid_t pid_ = 0;
-  int watch_;     ///< inotify: what happens in the directory
-  int lifetime_;  ///< pidfd: readable when the process has ended
+  int watch_;     ///< inotify descriptor of the directory
+  int lifetime_;  ///< pidfd; readable when the process has ended
 };
 
 }  // namespace capstan

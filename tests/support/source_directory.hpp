@@ -1,5 +1,5 @@
 #pragma once
-// Where the sources are that a test reads: reference data, schemas, READMEs.
+// The root of the sources, for tests that read reference data, schemas or READMEs.
 #include <filesystem>
 
 namespace capstan {

@@ -1,5 +1,5 @@
 #pragma once
-// Runs of the neo-Hookean sphere, V = 1, E_b = 0, on the quasi-steady lattice.
+// Runs of a neo-Hookean sphere, V = 1, E_b = 0, with the quasisteady model.
 #include <sstream>
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-// A directory that a test fills and that goes with it.
+// A directory that is deleted, with its content, at the end of a test.
 #include <stdlib.h>
 
 #include <filesystem>

@@ -1,6 +1,6 @@
-// Random histories of commands against a model, with a daemon that is killed at fail points and at any
-// moment. What was answered must hold in every later life; what was in doubt is asked again, as a client
-// would.
+// Random sequences of commands to a daemon that is killed at fail points and at random moments. A command
+// that was answered must hold in all later lives of the daemon. A command without an answer is sent again, as
+// a client would.
 //
 //   CAPSTAN_SEED=7 CAPSTAN_LIVES=500 build/test/tests/program_test --gtest_filter=CommandHistory.*
 #include <gmock/gmock.h>
@@ -29,8 +29,8 @@ int number_from(const char* variable, int otherwise) {
   return text ? std::atoi(text) : otherwise;
 }
 
-/// The studies share cases; of the fake solver's kinds (tests/support/fake_solver.cpp) those that end by
-/// themselves.
+/// The studies share cases. All values of V are kinds of the fake solver (tests/support/fake_solver.cpp) that
+/// end by themselves.
 const std::vector<json> kAxes = {
     {{"Ca", {0.1, 0.2}}, {"V", {2, 4}}},  {{"Ca", {0.2, 0.3}}, {"V", {4, 50}}},
     {{"Ca", {0.1, 0.3}}, {"V", {4, 90}}}, {{"Ca", {0.4}}, {"V", {2, 60}}},
@@ -41,21 +41,22 @@ std::string state_that_ends(double V) {
   return V == 50 ? "diverged" : V == 60 || V == 90 ? "failed" : "done";
 }
 
-/// What the server must say of a study once it has answered.
+/// The state of a study according to the server's answers so far.
 struct Known {
   std::string id;
   bool is_paused = false, is_cancelled = false;
   int priority = 0;
 };
 
-class History {
+class CommandSequence {
  public:
-  explicit History(unsigned seed) : random_(seed) {}
+  explicit CommandSequence(unsigned seed) : random_(seed) {}
 
+  /// One life of the daemon with up to five commands.
   void live() {
     const std::string point =
         kFailPoints[random_() % kFailPoints.size()] + std::string(":") + std::to_string(1 + random_() % 3);
-    said_ += "\n-- a life until " + point;
+    log_ += "\n-- a life until " + point;
     try {
       Daemon daemon(data_.path(), {}, point);
       Client client(daemon.url());
@@ -66,18 +67,20 @@ class History {
         do_pending(client);
       }
       daemon.ends_within(std::chrono::milliseconds(random_() % 60));
-    } catch (const Unreachable&) {  // it died; the pending command is in doubt
+    } catch (const Unreachable&) {  // the daemon died; the pending command is sent again in the next life
       ++deaths_at_work_;
     } catch (const DaemonDied& death) {
       EXPECT_EQ(death.exit_code, -SIGKILL) << death.what();
       ++deaths_at_work_;
     }
-    EXPECT_EQ(broken_promise(data_.path()), "") << said_;
+    EXPECT_EQ(broken_promise(data_.path()), "") << log_;
   }
 
-  /// Lives that ended at a fail point while a client or the start waited for something.
+  /// Number of lives that ended at a fail point while a client waited for an answer or the daemon was
+  /// starting.
   int deaths_at_work() const { return deaths_at_work_; }
 
+  /// A last life without fail points: every study ends as it should.
   void end() {
     const Daemon daemon(data_.path());
     Client client(daemon.url());
@@ -89,13 +92,13 @@ class History {
         return now["cases"]["queued"] == 0 && now["cases"]["running"] == 0;
       });
     check_ends(client);
-    EXPECT_EQ(broken_promise(data_.path()), "") << said_;
+    EXPECT_EQ(broken_promise(data_.path()), "") << log_;
   }
 
  private:
   struct Command {
     std::size_t study = 0;
-    std::string change;  ///< "" is a submission
+    std::string change;  ///< empty: submit the study
     int priority = 0;
   };
 
@@ -105,10 +108,10 @@ class History {
     const std::vector<std::string> changes = {"", "cancel", "pause", "resume", "retry", "priority"};
     pending_ = Command{study, is_known ? changes[random_() % changes.size()] : "",
                        static_cast<int>(random_() % 9) - 4};
-    said_ += "\n" + (pending_->change.empty() ? "submit" : pending_->change) + " " + std::to_string(study);
+    log_ += "\n" + (pending_->change.empty() ? "submit" : pending_->change) + " " + std::to_string(study);
   }
 
-  /// Asks, and believes only an answer.
+  /// Sends the pending command. Its effect is expected from then on only if the server answers.
   void do_pending(Client& client) {
     if (!pending_) return;
     const Command& command = *pending_;
@@ -125,19 +128,19 @@ class History {
     if (command.change == "cancel") known.is_cancelled = true;
     if (command.change == "pause" || command.change == "resume") known.is_paused = command.change == "pause";
     if (command.change == "priority") known.priority = command.priority;
-    said_ += " -> answered";
+    log_ += " -> answered";
     pending_.reset();
   }
 
   void check_known(Client& client) {
     for (const auto& [study, known] : known_) {
-      if (known.id.empty()) continue;  // only asked for, and the daemon died
+      if (known.id.empty()) continue;  // sent, but never answered
       const ordered_json now = client.get("/v1/studies/" + known.id);
-      EXPECT_EQ(now["paused"], known.is_paused) << known.id << said_;
-      EXPECT_EQ(now["cancelled"], known.is_cancelled) << known.id << said_;
-      EXPECT_EQ(now["priority"], known.priority) << known.id << said_;
+      EXPECT_EQ(now["paused"], known.is_paused) << known.id << log_;
+      EXPECT_EQ(now["cancelled"], known.is_cancelled) << known.id << log_;
+      EXPECT_EQ(now["priority"], known.priority) << known.id << log_;
       EXPECT_EQ(now["cases"]["total"], kAxes[study]["Ca"].size() * kAxes[study]["V"].size())
-          << known.id << said_;
+          << known.id << log_;
     }
   }
 
@@ -152,7 +155,7 @@ class History {
     for (const auto& [id, shown] : all) {
       const std::string end = state_that_ends(shown["parameters"]["V"]);
       const bool may_be_cancelled = !wanted.contains(id) && shown["state"] == "cancelled";
-      EXPECT_TRUE(shown["state"] == end || may_be_cancelled) << shown.dump(2) << said_;
+      EXPECT_TRUE(shown["state"] == end || may_be_cancelled) << shown.dump(2) << log_;
     }
   }
 
@@ -160,24 +163,24 @@ class History {
   std::mt19937 random_;
   std::map<std::size_t, Known> known_;
   std::optional<Command> pending_;
-  std::string said_;
+  std::string log_;
   int deaths_at_work_ = 0;
 };
 
-TEST(CommandHistory, HoldsWhatWasAnsweredWhoeverIsKilled) {
+TEST(CommandHistory, AnsweredCommandsHoldWhicheverProcessIsKilled) {
   const int lives = number_from("CAPSTAN_LIVES", 60);
   const auto seed = static_cast<unsigned>(number_from("CAPSTAN_SEED", 1));
-  History history(seed);
-  const int wanted_deaths = lives / 5;  // how many a number of lives brings depends on the machine's speed
+  CommandSequence sequence(seed);
+  const int wanted_deaths = lives / 5;  // their number depends on the speed of the machine
   int lived = 0;
-  for (; lived < lives || (history.deaths_at_work() < wanted_deaths && lived < 5 * lives); ++lived) {
-    history.live();
+  for (; lived < lives || (sequence.deaths_at_work() < wanted_deaths && lived < 5 * lives); ++lived) {
+    sequence.live();
     if (HasFailure()) return;
   }
-  history.end();
-  std::cout << lived << " lives, " << history.deaths_at_work()
+  sequence.end();
+  std::cout << lived << " lives, " << sequence.deaths_at_work()
             << " of them ended in the middle of a command\n";
-  EXPECT_GE(history.deaths_at_work(), wanted_deaths);
+  EXPECT_GE(sequence.deaths_at_work(), wanted_deaths);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The commands as people and scripts use them: what they print, where, and with which exit code.
+// The commands of the real program: standard output, standard error and exit codes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ class ServedCommandLineTest : public CommandLineTest {
   }
   std::string submit_and_wait(const nlohmann::json& axes) {
     std::string id = ask("submit " + study_file(axes) + " --watch").output;
-    if (!id.empty()) id.pop_back();  // the end of the line
+    if (!id.empty()) id.pop_back();  // the newline
     return id;
   }
 
@@ -99,14 +99,14 @@ TEST_F(CommandLineTest, OutputThatCannotBeWrittenIsAnError) {
   EXPECT_EQ(run_capstan("fly", ">/dev/full").exit_code, 2);
 }
 
-TEST_F(CommandLineTest, ServerThatCannotSayWhereItServesDoesNotServe) {
+TEST_F(CommandLineTest, ServerThatCannotPrintItsAddressEnds) {
   const CommandResult result =
       run_capstan("serve --listen 127.0.0.1:0 --data " + (directory_.path() / "data").string(), ">/dev/full");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.errors, HasSubstr("cannot write to standard output"));
 }
 
-TEST_F(CommandLineTest, ReaderThatHasEnoughIsNoReasonToComplain) {
+TEST_F(CommandLineTest, ReaderThatClosesThePipeIsNotReported) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);
   close(ends[0]);
@@ -118,24 +118,24 @@ TEST_F(CommandLineTest, ReaderThatHasEnoughIsNoReasonToComplain) {
   EXPECT_THAT(result.errors, IsEmpty());
 }
 
-TEST_F(CommandLineTest, DatabaseDoesNotTakeThePlaceOfAClosedStandardOutput) {
+TEST_F(CommandLineTest, DatabaseIsNotOpenedInPlaceOfAClosedStandardOutput) {
   const CommandResult result = run_capstan("doctor --data " + directory_.path().string(), ">&- 2>&- <&-");
   EXPECT_EQ(result.exit_code, 1);
 }
 
-TEST_F(CommandLineTest, DirectoryInThePlaceOfAFileIsSaidToBeOne) {
+TEST_F(CommandLineTest, DirectoryInPlaceOfAFileIsAnErrorThatSaysSo) {
   const std::string directory = directory_.path().string();
   EXPECT_EQ(run_capstan("validate " + directory).errors,
             "capstan: cannot read " + directory + ": Is a directory\n");
 }
 
-TEST_F(CommandLineTest, CaseIsValidatedAsOne) {
+TEST_F(CommandLineTest, CaseIsValidatedAsACase) {
   const CommandResult valid = run_capstan("validate " + file_with(R"({"shape": "sphere", "Ca": 0.1})"));
   EXPECT_EQ(valid.exit_code, 0);
   EXPECT_THAT(valid.output, ContainsRegex("^valid: a case, [0-9a-f]{16}\n  fluid: auto became stokes: "));
-  const CommandResult faulty = run_capstan("validate " + file_with(R"({"shape": "sphere", "Ca": -1})"));
-  EXPECT_EQ(faulty.exit_code, 2);
-  EXPECT_THAT(faulty.errors, HasSubstr("1 fault\n  /Ca  is -1"));
+  const CommandResult invalid = run_capstan("validate " + file_with(R"({"shape": "sphere", "Ca": -1})"));
+  EXPECT_EQ(invalid.exit_code, 2);
+  EXPECT_THAT(invalid.errors, HasSubstr("1 issue\n  /Ca  is -1"));
 }
 
 TEST_F(CommandLineTest, CaseIsNotSubmitted) {
@@ -145,16 +145,16 @@ TEST_F(CommandLineTest, CaseIsNotSubmitted) {
   EXPECT_THAT(result.errors, HasSubstr("this is a case, not a study"));
 }
 
-TEST_F(CommandLineTest, StandardInputIsAFile) {
+TEST_F(CommandLineTest, DashNamesStandardInput) {
   const CommandResult result = run_capstan("validate -", "<" + study_file({{"Ca", {0.25, 0.75}}}));
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.output, StartsWith("valid: 2 cases\n"));
-  const CommandResult faulty = run_capstan("validate -", "</dev/null");
-  EXPECT_EQ(faulty.exit_code, 2);
-  EXPECT_THAT(faulty.errors, StartsWith("standard input: 1 fault"));
+  const CommandResult invalid = run_capstan("validate -", "</dev/null");
+  EXPECT_EQ(invalid.exit_code, 2);
+  EXPECT_THAT(invalid.errors, StartsWith("standard input: 1 issue"));
 }
 
-TEST_F(CommandLineTest, ValidateAnswersProgramsInJson) {
+TEST_F(CommandLineTest, ValidatePrintsJsonOnRequest) {
   const auto validate = [&](const std::string& file) {
     return nlohmann::json::parse(run_capstan("validate --json " + file).output);
   };
@@ -162,12 +162,12 @@ TEST_F(CommandLineTest, ValidateAnswersProgramsInJson) {
   EXPECT_EQ(study["kind"], "study");
   EXPECT_EQ(study["cases"], 2);
   EXPECT_EQ(validate(file_with(R"({"Ca": 0.1})"))["case"]["Ca"], 0.1);
-  const nlohmann::json faulty = validate(file_with(R"({"Ca": -1})"));
-  EXPECT_EQ(faulty["valid"], false);
-  EXPECT_EQ(faulty["errors"][0]["pointer"], "/Ca");
+  const nlohmann::json invalid = validate(file_with(R"({"Ca": -1})"));
+  EXPECT_EQ(invalid["valid"], false);
+  EXPECT_EQ(invalid["errors"][0]["pointer"], "/Ca");
 }
 
-TEST_F(CommandLineTest, WhatIsNoServerUrlIsInvalidInput) {
+TEST_F(CommandLineTest, MalformedServerUrlIsInvalidInput) {
   for (const char* url : {"foo", "http://127.0.0.1:99999", "ftp://127.0.0.1", "http://"}) {
     const CommandResult result = run_capstan(std::string("studies --server ") + url);
     EXPECT_EQ(result.exit_code, 2) << url;
@@ -182,7 +182,7 @@ TEST_F(CommandLineTest, ValidStudyIsSummarised) {
   EXPECT_THAT(result.output, StartsWith("valid: 4 cases\n"));
 }
 
-TEST_F(CommandLineTest, EveryFaultOfAStudyIsPrintedWithItsPointer) {
+TEST_F(CommandLineTest, EveryIssueOfAStudyIsPrintedWithItsPointer) {
   const CommandResult result = run_capstan("validate " + study_file({{"Ca", {-1, "a"}}, {"colour", {1}}}));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.output, IsEmpty());
@@ -190,7 +190,7 @@ TEST_F(CommandLineTest, EveryFaultOfAStudyIsPrintedWithItsPointer) {
     EXPECT_THAT(result.errors, HasSubstr(std::string("\n  ") + pointer + " "));
 }
 
-TEST_F(CommandLineTest, FaultyStudyIsRefusedWithoutAServer) {
+TEST_F(CommandLineTest, InvalidStudyIsRefusedWithoutAServer) {
   EXPECT_EQ(run_capstan("submit " + study_file({{"Ca", {-1}}}) + " --server http://127.0.0.1:9").exit_code,
             2);
   EXPECT_EQ(run_capstan("submit " + file_with("{\"name\": ")).exit_code, 2);
@@ -208,14 +208,14 @@ TEST_F(CommandLineTest, MissingServerIsExplained) {
   EXPECT_THAT(result.errors, HasSubstr("capstan serve"));
 }
 
-TEST_F(CommandLineTest, AddressThatOthersCouldReachIsRefused) {
+TEST_F(CommandLineTest, AddressThatOtherMachinesReachIsRefusedWithoutAToken) {
   const CommandResult result =
       run_capstan("serve --listen 0.0.0.0:8017 --data " + directory_.path().string());
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, HasSubstr("refusing to listen on 0.0.0.0"));
 }
 
-TEST_F(ServedCommandLineTest, SubmitPrintsTheIdAloneAndWatchesOnStandardError) {
+TEST_F(ServedCommandLineTest, SubmitPrintsOnlyTheIdAndWatchesOnStandardError) {
   const CommandResult result = ask("submit " + study_file({{"Ca", {0.25, 0.75}}}) + " --watch");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.output, MatchesRegex("cli-[0-9a-f]{4}\n"));
@@ -223,7 +223,7 @@ TEST_F(ServedCommandLineTest, SubmitPrintsTheIdAloneAndWatchesOnStandardError) {
   EXPECT_THAT(result.errors, Not(HasSubstr("\x1b")));
 }
 
-TEST_F(ServedCommandLineTest, StudyWithoutAllAnswersSaysSoInItsExitCode) {
+TEST_F(ServedCommandLineTest, ExitCodeIs3IfACaseHasNoAnswer) {
   const CommandResult result = ask("submit " + study_file({{"Ca", {0.25}}, {"V", {4, 50}}}) + " --watch");
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.errors, HasSubstr("diverged: the membrane tore at kt = 0.3"));
@@ -248,7 +248,7 @@ TEST_F(ServedCommandLineTest, PhaseDiagramOfThreeAxesFixesOne) {
   EXPECT_THAT(drawn.output, HasSubstr("\nat E_b = 0.015\n"));
 }
 
-TEST_F(ServedCommandLineTest, PointsThatAreOneCaseAreSaidAndAllListed) {
+TEST_F(ServedCommandLineTest, PointsThatShareACaseAreNotedAndAllListed) {
   const std::string file = file_with(R"({"name": "merged", "base": {"Ca": 0.25, "fluid": "stokes"},
       "axes": {"Re": [0, 0.05]}})");
   EXPECT_THAT(run_capstan("validate " + file).output, StartsWith("valid: 2 points, 1 case\n"));
@@ -323,7 +323,7 @@ TEST_F(ServedCommandLineTest, StudyIsFoundByItsNameOrTheBeginningOfItsId) {
   EXPECT_THAT(ask("why " + case_id.substr(0, 12)).output, StartsWith(case_id + ": done\n"));
 }
 
-TEST_F(ServedCommandLineTest, AmbiguousWordIsAnsweredWithWhatItCouldBe) {
+TEST_F(ServedCommandLineTest, AmbiguousIdIsRefusedWithAllItsMatches) {
   const std::string first = submit_and_wait({{"Ca", {0.25}}}), second = submit_and_wait({{"Ca", {0.75}}});
   const CommandResult result = ask("cancel cli");
   EXPECT_EQ(result.exit_code, 2);
@@ -331,7 +331,7 @@ TEST_F(ServedCommandLineTest, AmbiguousWordIsAnsweredWithWhatItCouldBe) {
   EXPECT_THAT(result.errors, HasSubstr("\n  " + second));
 }
 
-TEST_F(ServedCommandLineTest, SeveralStudiesAreAskedForAtOnce) {
+TEST_F(ServedCommandLineTest, CommandsTakeSeveralStudies) {
   const std::string first = submit_and_wait({{"Ca", {0.25}}}), second = submit_and_wait({{"Ca", {0.75}}});
   const std::string both = first + " " + second;
   for (const char* command :
@@ -358,7 +358,7 @@ TEST_F(ServedCommandLineTest, CancellingAStudyThatIsDoneLeavesItDone) {
   EXPECT_EQ(nlohmann::json::parse(ask("show --json " + id).output)["state"], "done");
 }
 
-TEST_F(ServedCommandLineTest, OptionOfAChangeThatMakesNoSenseIsAFault) {
+TEST_F(ServedCommandLineTest, InvalidOptionOfAChangeIsInvalidInput) {
   const std::string id = submit_and_wait({{"Ca", {0.25}}});
   for (const char* bad : {"retry --fidelity Fine ", "retry --fidelity '' "})
     EXPECT_EQ(ask(bad + id).exit_code, 2) << bad;
@@ -389,7 +389,7 @@ TEST_F(ServedCommandLineTest, EveryResultComesAsOneJsonDocument) {
   EXPECT_TRUE(nlohmann::json::parse(copy.output).contains("file"));
 }
 
-TEST_F(ServedCommandLineTest, ChangesSayHowManyCasesTheyConcern) {
+TEST_F(ServedCommandLineTest, ChangesPrintTheNumberOfTheirCases) {
   std::string id =
       ask("submit " + study_file({{"Ca", {0.25}}, {"V", {70, 71, 72, 73, 40}}})).output;  // three run
   id.pop_back();

@@ -1,8 +1,7 @@
-// The real daemon with a real database, real processes and a real port; only the physics is faked.
+// The real daemon with a real database, real processes and a real port, and the fake solver.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -35,7 +34,7 @@ class DaemonTest : public testing::Test {
   ordered_json history(Client& client, const ordered_json& shown) {
     return client.get("/v1/cases/" + shown["id"].get<std::string>() + "/history");
   }
-  /// Its cases have written half of their history.
+  /// Until the cases of the study have written half of their history.
   void wait_for_half(Client& client, const std::string& id) {
     wait_for(client, "/v1/studies/" + id, [](const ordered_json& study) { return study["progress"] == 0.5; });
   }
@@ -45,15 +44,16 @@ class DaemonTest : public testing::Test {
     for (const ordered_json& attempt : full["attempts"]) all.push_back(attempt["ending"]);
     return all;
   }
-  /// By the daemon's log of requests.
+  /// Until the daemon's log holds that many of these requests.
   void wait_for_requests(const std::string& request, int count) {
-    for (int found = 0; found < count; usleep(1000)) {
+    EXPECT_TRUE(wait_until([&] {
       const std::string log = file_bytes(data_.path() / "requests.log");
-      found = 0;
+      int found = 0;
       for (auto at = log.find(request); at != log.npos; at = log.find(request, at + 1)) ++found;
-    }
+      return found >= count;
+    })) << request;
   }
-  /// Of all cases.
+  /// Number of crashes of all cases.
   std::int64_t crashes() {
     Database database(data_.path() / "capstan.sqlite", Database::Access::read);
     Statement row = database.query("SELECT total(crashes) FROM cases");
@@ -77,7 +77,7 @@ TEST_F(DaemonTest, StudyIsComputedClassifiedAndAnswered) {
   EXPECT_EQ(client.get("/v1/studies/" + id)["motions"]["tank_treading"], 2);
 }
 
-TEST_F(DaemonTest, EachImpossibleCaseSaysWhyAndTheOthersFinish) {
+TEST_F(DaemonTest, EachFailedCaseSaysWhyAndTheOthersFinish) {
   const Daemon daemon(data_.path());
   Client client(daemon.url());
   const std::string id = submit(client, {{"Ca", {0.25}}, {"V", {50, 60, 90, 4}}});
@@ -105,7 +105,7 @@ TEST_F(DaemonTest, RunsEndWithAKilledDaemon) {
   EXPECT_TRUE(wait_for_end(*run, 10000));
 }
 
-TEST_F(DaemonTest, SuccessorOfAKilledDaemonCompletesWhatItLeft) {
+TEST_F(DaemonTest, SuccessorOfAKilledDaemonCompletesItsStudies) {
   std::string id;
   {
     Daemon daemon(data_.path());
@@ -127,7 +127,7 @@ TEST_F(DaemonTest, SuccessorOfAKilledDaemonCompletesWhatItLeft) {
   for (const ordered_json& shown : cases(client, id, "?V=2")) EXPECT_EQ(shown["attempt"], 1);
 }
 
-TEST_F(DaemonTest, TerminatedDaemonHasItsRunsWriteACheckpointAndExitsWithZero) {
+TEST_F(DaemonTest, TerminatedDaemonHasItsRunsWriteACheckpointAndExitsWith0) {
   Daemon daemon(data_.path());
   Client client(daemon.url());
   const std::string id = submit(client, {{"Ca", {0.25}}, {"V", {80}}});
@@ -139,7 +139,7 @@ TEST_F(DaemonTest, TerminatedDaemonHasItsRunsWriteACheckpointAndExitsWithZero) {
   EXPECT_THAT(endings(again, cases(again, id)[0]), ElementsAre("interrupted", "done"));
 }
 
-/// The signal may come before the process of a run can take it.
+/// The signal can arrive before the process of a run has installed its handlers.
 TEST_F(DaemonTest, OrderlyStopsSoonAfterTheStartFailNoCase) {
   for (int life = 0; life < 10; ++life) {
     Daemon daemon(data_.path(), {"--cores", "4"});
@@ -164,7 +164,7 @@ TEST_F(DaemonTest, CancellationsSoonAfterTheStartAreNoCrashes) {
   EXPECT_EQ(crashes(), 0);
 }
 
-TEST_F(DaemonTest, FilesAreForItsUserAlone) {
+TEST_F(DaemonTest, FilesAreAccessibleToItsUserAlone) {
   const mode_t before = umask(0);
   const std::filesystem::path data = data_.path() / "made by the daemon";
   const Daemon daemon(data);
@@ -221,7 +221,7 @@ TEST_F(DaemonTest, WatchedSubmissionSurvivesARestartOfTheDaemon) {
   EXPECT_EQ(study()[0]["cases"]["done"], 1);
 }
 
-TEST_F(DaemonTest, PausedStudyIsResumedByASubmissionThatSaysSo) {
+TEST_F(DaemonTest, SubmissionOfAPausedStudyResumesItAndSaysSo) {
   const Daemon daemon(data_.path(), {"--cores", "1"});
   Client client(daemon.url());
   const std::filesystem::path file = data_.path() / "study.json";
@@ -266,7 +266,7 @@ TEST_F(DaemonTest, SecondDaemonCannotTakeTheDataDirectory) {
   EXPECT_NE(second.errors.find("another capstan"), std::string::npos) << second.errors;
 }
 
-TEST_F(DaemonTest, SecondDaemonCannotTakeTheDataDirectoryThoughItsLockFileIsRemoved) {
+TEST_F(DaemonTest, SecondDaemonCannotTakeTheDataDirectoryEvenIfTheLockFileWasRemoved) {
   const Daemon daemon(data_.path());
   std::filesystem::remove(data_.path() / "lock");
   EXPECT_EQ(run_capstan("serve --data " + data_.path().string() + " --listen 127.0.0.1:0").exit_code, 1);

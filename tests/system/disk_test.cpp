@@ -1,4 +1,4 @@
-// Disks that are full, read-only or damaged, under the real daemon.
+// The real daemon on disks that are full, read-only or damaged.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ class DiskTest : public testing::Test {
   TemporaryDirectory elsewhere_;
 };
 
-TEST_F(DiskTest, FullOneTakesNoStudyLosesNoneAndGoesOnWhenThereIsRoom) {
+TEST_F(DiskTest, FullDiskTakesNoStudyLosesNoneAndGoesOnOnceThereIsRoom) {
   Daemon daemon(disk_.path());
   Client client(daemon.url());
   const std::string before = submit(client, 0.1);
@@ -59,7 +59,7 @@ TEST_F(DiskTest, FullOneTakesNoStudyLosesNoneAndGoesOnWhenThereIsRoom) {
   EXPECT_EQ(daemon.end_with(SIGTERM), 0);
 }
 
-TEST_F(DiskTest, FullOneUnderTheRunsLeavesTheCaseInTheQueueAndWhySaysSo) {
+TEST_F(DiskTest, FullDiskOfTheRunsLeavesTheCaseQueuedAndWhySaysSo) {
   fs::create_directory_symlink(disk_.path(), elsewhere_.path() / "runs");
   disk_.fill();
   const Daemon daemon(elsewhere_.path());
@@ -73,7 +73,7 @@ TEST_F(DiskTest, FullOneUnderTheRunsLeavesTheCaseInTheQueueAndWhySaysSo) {
   EXPECT_EQ(client.get("/v1/studies/" + id + "/cases")["cases"][0]["attempt"], 1);
 }
 
-TEST_F(DiskTest, DaemonOnAFullOneEndsItsRunsWhenItIsTerminated) {
+TEST_F(DiskTest, DaemonOnAFullDiskEndsItsRunsWhenItIsTerminated) {
   Daemon daemon(disk_.path());
   Client client(daemon.url());
   wait_for_cases(client, submit(client, 0.1, 70), "running", 1);
@@ -85,7 +85,7 @@ TEST_F(DiskTest, DaemonOnAFullOneEndsItsRunsWhenItIsTerminated) {
   EXPECT_EQ(again.get("/v1/studies")["studies"].size(), 1u);
 }
 
-TEST_F(DiskTest, DaemonDoesNotStartOnAReadOnlyOneAndSaysWhy) {
+TEST_F(DiskTest, DaemonDoesNotStartOnAReadOnlyDiskAndSaysWhy) {
   disk_.make_read_only(true);
   const CommandResult serve = run_capstan("serve --listen 127.0.0.1:0 --data " + disk_.path().string());
   EXPECT_EQ(serve.exit_code, 1);
@@ -132,7 +132,7 @@ TEST_F(FailingDiskTest, DatabaseThatCannotBeChangedTakesNoStudyAnswersAllQuestio
   wait_for_cases(client, during, "running", 1);
   make_database_unchangeable(true);
   const std::string run = client.get("/v1/studies/" + during + "/cases")["cases"][0]["id"];
-  std::ofstream(disk_.path() / "runs" / run / "go").flush();  // it ends, and cannot be recorded
+  std::ofstream(disk_.path() / "runs" / run / "go").flush();  // the run ends, and cannot be recorded
   expect_refusal_of_studies(client, "capstan.sqlite: COMMIT: disk I/O error");
   expect_not_ready(client);
   EXPECT_EQ(client.get("/v1/studies/" + before)["cases"]["done"], 1);
@@ -146,8 +146,9 @@ TEST_F(FailingDiskTest, DatabaseThatCannotBeChangedTakesNoStudyAnswersAllQuestio
   EXPECT_EQ(daemon.end_with(SIGTERM), 0);
 }
 
-/// With the log copied into the database the next write begins with the log's index, which is shared memory.
-TEST_F(FailingDiskTest, FailedDiskEndsNoDaemonAndLosesNothing) {
+/// After a checkpoint of the write-ahead log the next write starts with the log's index, which is shared
+/// memory.
+TEST_F(FailingDiskTest, FailedDiskDoesNotEndTheDaemonAndLosesNothing) {
   Daemon daemon(disk_.path());
   Client client(daemon.url());
   const std::string before = submit(client, 0.1);
@@ -191,7 +192,7 @@ class DamagedDatabase : public testing::Test {
   CommandResult doctor(const std::string& options = "") {
     return run_capstan("doctor --data " + data_.path().string() + options);
   }
-  /// Of the study, its cases and their histories.
+  /// The study, its cases and their histories; or "no answer" and the reason.
   static std::string all_answers(const Daemon& daemon) {
     Client client(daemon.url());
     std::string answers;
@@ -229,18 +230,18 @@ TEST_F(DamagedDatabase, IsNotServedAndTheDoctorSaysSo) {
   EXPECT_EQ(doctor().exit_code, 1);
 }
 
-TEST_F(DamagedDatabase, IsFoundDamagedThoughItOpens) {
+TEST_F(DamagedDatabase, IsFoundByTheDoctorThoughItCanBeOpened) {
   EXPECT_EQ(doctor().exit_code, 0);
   overwrite_at(3 * 4096, 8 * 4096);
   const CommandResult found = doctor();
   EXPECT_EQ(found.exit_code, 1);
-  EXPECT_THAT(found.output + found.errors, testing::AnyOf(HasSubstr("malformed"), HasSubstr("fault")));
+  EXPECT_THAT(found.output + found.errors, testing::AnyOf(HasSubstr("malformed"), HasSubstr("error: ")));
 }
 
-/// Wherever the page stands: the daemon refuses it at the start, or says 503 to whoever reads it and is not
-/// ready from then on, or the page was of no use and all answers are as before.
-TEST_F(DamagedDatabase, RandomPageThatIsOverwrittenIsNoticed) {
-  const std::string sound = file_bytes(file_);
+/// Overwrites random pages of the file. Either the daemon does not start, or it answers 503 to requests that
+/// read the page and is not ready from then on, or the page was unused and all answers are as before.
+TEST_F(DamagedDatabase, OverwrittenPageIsNoticed) {
+  const std::string intact = file_bytes(file_);
   std::string expected;
   {
     const Daemon daemon(data_.path());
@@ -249,8 +250,8 @@ TEST_F(DamagedDatabase, RandomPageThatIsOverwrittenIsNoticed) {
   }
   std::mt19937 random(20240613);
   for (int i = 0; i < 24; ++i) {
-    std::string damaged = sound;
-    const std::size_t page = random() % (sound.size() / kPage);
+    std::string damaged = intact;
+    const std::size_t page = random() % (intact.size() / kPage);
     for (std::size_t byte = 0; byte < kPage; ++byte)
       damaged[page * kPage + byte] = static_cast<char>(random());
     for (const char* end : {"-wal", "-shm"}) fs::remove(file_.string() + end);
@@ -265,9 +266,9 @@ TEST_F(DamagedDatabase, RandomPageThatIsOverwrittenIsNoticed) {
   }
 }
 
-/// Whole in itself, but with the rows of another page.
-TEST_F(DamagedDatabase, PageInThePlaceOfAnotherIsNoticed) {
-  constexpr char kLeaf = 10;  // of a table that is its own index, as the histories are
+/// A page that is valid in itself, but holds the rows of another page.
+TEST_F(DamagedDatabase, PageReplacedByAnotherPageIsNoticed) {
+  constexpr char kLeaf = 10;  // type of a leaf page of an index, as in tables WITHOUT ROWID (the histories)
   const fs::path file = elsewhere_.path() / "swapped.sqlite";
   Database(file, Database::Access::write)
       .execute_script(

@@ -1,6 +1,6 @@
-// The real daemon with the real solver, killed again and again during one study: by SIGKILL at fail points
-// and at any moment, alone and together with its workers, and workers alone; and stopped in order (SIGTERM),
-// also just after its start and just after its study was cancelled. The long form, some thousand lives:
+// The real daemon with the real solver, killed again and again during one study: at fail points and at random
+// moments (SIGKILL), with and without its workers, and workers alone; and terminated (SIGTERM), also just
+// after its start and just after its study was cancelled. The long form, some thousand lives:
 //
 //   CAPSTAN_KILLS=1000 build/test/tests/kill_test        (ctest --preset test -R Kill.Long)
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ int wanted_kills() {
   return text ? std::atoi(text) : 200;
 }
 
-/// Fractions of a second each, with checkpoints, so that a kill can fall into the middle of one.
+/// Cases that take fractions of a second, with checkpoints, so that a kill can interrupt the writing of one.
 std::string study_of(int cases) {
   return ordered_json{{"name", "kills"},
                       {"base",
@@ -45,7 +45,7 @@ class Campaign {
  public:
   explicit Campaign(int kills) : wanted_(kills), cases_(std::max(50, kills / 4)) {}
 
-  /// What comes of the study when nobody is killed.
+  /// Answers of the study without any kill.
   std::map<std::string, Answer> undisturbed() {
     const TemporaryDirectory data;
     const Daemon daemon(data.path());
@@ -61,7 +61,7 @@ class Campaign {
     }
   }
 
-  /// Undisturbed at last.
+  /// Finishes the study without further kills.
   std::map<std::string, Answer> complete() {
     const Daemon daemon(data_.path());
     Client client(daemon.url());
@@ -77,7 +77,7 @@ class Campaign {
               << " other than undisturbed\n";
   }
 
-  /// Of the daemon, orderly ones among them; the workers come on top.
+  /// Of the daemon, including orderly stops; without those of workers.
   int kills() const { return at_points_ + at_any_moment_ + orderly_; }
   int workers_killed() const { return workers_; }
 
@@ -89,8 +89,8 @@ class Campaign {
   }
 
  private:
-  /// Any case may take a minute, all of them as long as they want. A worker that was killed twice has had its
-  /// case set aside: that is asked for again.
+  /// Waits up to a minute for each next case, without a limit for all. A case whose worker was killed twice
+  /// fails; it is queued again.
   void wait_for_all(Client& client) {
     const std::string study = "/v1/studies/" + submit(client);
     for (int done = 0; done < cases_ && !testing::Test::HasFailure();) {
@@ -104,7 +104,8 @@ class Campaign {
 
   std::string submit(Client& client) { return client.post("/v1/studies", study_of(cases_))["id"]; }
 
-  /// So that the study lasts as long as the kills do: a life may finish cases only while they are behind.
+  /// Keeps the study unfinished as long as there are kills to come: cases may be finished only while their
+  /// share is smaller than that of the kills.
   bool may_finish_cases() const {
     if (kills() == 0) return true;
     long done = 0;
@@ -132,17 +133,17 @@ class Campaign {
     Client client(daemon.url());
     try {
       submit(client);
-    } catch (const std::exception&) {  // it died before it could answer
+    } catch (const std::exception&) {  // killed before it answered
     }
     daemon.ends_within(daemon_must_pass(point) ? 60s : 300ms);
     daemon.end_with(SIGKILL);
     ++at_points_;
-  } catch (const DaemonDied& death) {  // while it took over
+  } catch (const DaemonDied& death) {  // killed during its start
     EXPECT_EQ(death.exit_code, -SIGKILL) << death.what();
     ++at_points_;
   }
 
-  /// Other points may lie beyond the end of the study.
+  /// Other fail points may not be reached before the study ends.
   static bool daemon_must_pass(const std::string& point) {
     return point == "submitting:1" || point == "submitted:1";
   }
@@ -159,7 +160,7 @@ class Campaign {
     ++at_any_moment_;
   }
 
-  /// The sooner, the more processes have no handlers yet.
+  /// Soon after the start, when some processes have not installed their signal handlers.
   void stop_in_order() {
     Daemon daemon(data_.path());
     Client client(daemon.url());

@@ -1,4 +1,4 @@
-// Files that are taken away beneath the real daemon.
+// Files that are removed or replaced while the real daemon runs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST_F(LostFiles, StudyIsRefusedOnceTheLogIsRemovedAndNothingOfItIsLost) {
   EXPECT_EQ(again.get("/v1/studies/" + before)["cases"]["done"], 1);
 }
 
-TEST_F(LostFiles, RemovedDirectoryOfTheRunsIsToldAndCostsNoCase) {
+TEST_F(LostFiles, RemovedDirectoryOfTheRunsIsReportedAndFailsNoCase) {
   const std::string running = submit(0.1, 70);
   wait_for_cases(client_, running, "running", 1);
   fs::remove_all(data_.path() / "runs");

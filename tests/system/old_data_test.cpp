@@ -1,4 +1,4 @@
-// The real daemon on the data of an older one.
+// The real daemon on a data directory of format 1.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ class OldData : public testing::Test {
   TemporaryDirectory data_;
 };
 
-TEST_F(OldData, IsServedWithAllResultsByTheRealDaemonWhichGoesOnAndTakesANewStudy) {
+TEST_F(OldData, IsServedWithAllResultsAndTheDaemonGoesOnAndTakesANewStudy) {
   Daemon daemon(data_.path());
   Client client(daemon.url());
   const ordered_json kept = client.get("/v1/studies/kept-8a8f");
@@ -39,7 +39,7 @@ TEST_F(OldData, IsServedWithAllResultsByTheRealDaemonWhichGoesOnAndTakesANewStud
   EXPECT_EQ(client.get("/v1/cases/4162bae35bea7a4b")["attempts"].size(), 2u);
   EXPECT_EQ(client.get("/v1/studies/dropped-78c0")["cases"]["cancelled"], 2);
 
-  // Of the study that was under way when the old daemon was killed, what waits for a signal runs on without
+  // The study that was running when the old daemon was killed: three of its cases wait for a signal without
   // end.
   const ordered_json other = wait_for(client, "/v1/studies/other-58cb", [](const ordered_json& study) {
     return study["cases"]["done"] == 3 && study["cases"]["running"] == 3;
@@ -53,7 +53,7 @@ TEST_F(OldData, IsServedWithAllResultsByTheRealDaemonWhichGoesOnAndTakesANewStud
   EXPECT_EQ(broken_promise(data_.path()), "");
 }
 
-TEST_F(OldData, IsMadeWholeByTheDoctor) {
+TEST_F(OldData, IsRepairedByTheDoctor) {
   const std::string doctor = "doctor --data " + data_.path().string();
   std::filesystem::create_directory(data_.path() / "runs");
   EXPECT_EQ(run_capstan(doctor + " --repair").exit_code, 0);

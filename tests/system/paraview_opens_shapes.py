@@ -1,4 +1,4 @@
-"""Run by pvpython: compares the pulsating sphere, as ParaView reads it, with what was written."""
+"""Run by pvpython: compares the pulsating sphere that ParaView reads with the one that was written."""
 
 import sys
 

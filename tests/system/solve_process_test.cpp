@@ -1,4 +1,5 @@
-// The real solver, killed at any moment: what it leaves behind is enough for the same answer.
+// The real `capstan solve` as a process: killed, terminated, on a full disk, it is resumed to the same
+// answer.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A cell by boundary integrals with a checkpoint each step, some tenths of a second.
+/// A red blood cell by boundary integrals with a checkpoint after each step; takes some tenths of a second.
 const char* const kQuick =
     R"({"shape": "biconcave", "law": "skalak", "C": 5, "fluid": "stokes", "Ca": 0.2, "V": 2,
   "fidelity": {"nodes": 162}, "until": {"kt": 6}, "outputs": {"history_every": 0.1, "checkpoint_every": 1}})";
@@ -31,7 +32,7 @@ class SolveTest : public testing::Test {
     return root_.path() / "case.json";
   }
 
-  /// A red blood cell with every part of the physics, some seconds of work.
+  /// A red blood cell with bending and a viscosity ratio on a lattice; takes some seconds.
   fs::path cell() {
     return write_case(R"({"shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4,
       "fidelity": {"preset": "fast", "dx": 0.4, "nodes": 162}, "until": {"kt": 10},
@@ -40,7 +41,7 @@ class SolveTest : public testing::Test {
 
   fs::path directory(const std::string& name) const { return root_.path() / name; }
 
-  /// Runs until it ends by itself: the exit code.
+  /// Runs to the end. Returns the exit code.
   int solve(const fs::path& case_file, const std::string& name) {
     return SolveProcess(case_file, directory(name)).wait();
   }
@@ -51,7 +52,7 @@ class SolveTest : public testing::Test {
   }
   std::string log(const std::string& name) const { return file_bytes(directory(name + ".log")); }
 
-  /// The whole answer, but for what it took this time.
+  /// History, result and index of the shapes, except for time and memory.
   void expect_same_answer(const std::string& name, const std::string& other) const {
     EXPECT_EQ(history(name), history(other));
     nlohmann::json a = result(name), b = result(other);
@@ -64,9 +65,9 @@ class SolveTest : public testing::Test {
   TemporaryDirectory root_;
 };
 
-// An undisturbed run makes about 1200 writes to its directory, so the kills fall all over it; their number is
-// bounded, so the run ends even where a kill leaves no progress.
-TEST_F(SolveTest, KilledAgainAndAgainItGivesTheSameHistoryAndResult) {
+// An undisturbed run makes about 1200 writes to its directory, so the kills are spread over all of it. Their
+// number is fixed, so the test ends even if a killed run makes no progress.
+TEST_F(SolveTest, RunKilledAgainAndAgainHasTheSameHistoryAndResult) {
   const fs::path case_file = cell();
   ASSERT_EQ(solve(case_file, "undisturbed"), 0);
   std::mt19937 generator(20240613);
@@ -84,7 +85,7 @@ TEST_F(SolveTest, KilledAgainAndAgainItGivesTheSameHistoryAndResult) {
   expect_same_answer("killed", "undisturbed");
 }
 
-TEST_F(SolveTest, TerminatedItExitsWith75AndGoesOnWhereItStood) {
+TEST_F(SolveTest, TerminatedRunExitsWith75AndIsResumed) {
   const fs::path case_file = cell();
   ASSERT_EQ(solve(case_file, "undisturbed"), 0);
   for (int signal : {SIGTERM, SIGUSR1, SIGHUP}) {
@@ -98,7 +99,7 @@ TEST_F(SolveTest, TerminatedItExitsWith75AndGoesOnWhereItStood) {
   expect_same_answer("terminated", "undisturbed");
 }
 
-TEST_F(SolveTest, AtItsWallTimeItExitsWith75AndGoesOnWhereItStood) {
+TEST_F(SolveTest, RunAtItsWallTimeExitsWith75AndIsResumed) {
   const fs::path case_file = write_case(kQuick);
   for (int attempt = 0; attempt < 2; ++attempt)
     EXPECT_EQ(SolveProcess(case_file, directory("limited"), {"--wall-time", "1e-9"}).wait(), 75);
@@ -109,8 +110,8 @@ TEST_F(SolveTest, AtItsWallTimeItExitsWith75AndGoesOnWhereItStood) {
   expect_same_answer("limited", "undisturbed");
 }
 
-// nohup starts it like that.
-TEST_F(SolveTest, ClosedTerminalDoesNotStopItWhereThatSignalIsIgnored) {
+// As nohup does.
+TEST_F(SolveTest, ClosedTerminalDoesNotStopARunThatIgnoresSighup) {
   const fs::path case_file = write_case(kQuick);
   std::signal(SIGHUP, SIG_IGN);
   SolveProcess process(case_file, directory("nohup"));
@@ -120,7 +121,7 @@ TEST_F(SolveTest, ClosedTerminalDoesNotStopItWhereThatSignalIsIgnored) {
   EXPECT_EQ(process.wait(), 0);
 }
 
-TEST_F(SolveTest, SecondOneInADirectoryIsRefusedAndTheFirstIsNotDisturbed) {
+TEST_F(SolveTest, SecondProcessInADirectoryIsRefusedAndTheFirstIsNotDisturbed) {
   const fs::path case_file = write_case(kQuick);
   SolveProcess first(case_file, directory("shared"));
   first.wait_for_writes(20);
@@ -133,7 +134,7 @@ TEST_F(SolveTest, SecondOneInADirectoryIsRefusedAndTheFirstIsNotDisturbed) {
   expect_same_answer("shared", "undisturbed");
 }
 
-TEST_F(SolveTest, DirectoryOfAKilledOneIsFree) {
+TEST_F(SolveTest, DirectoryOfAKilledProcessIsFree) {
   const fs::path case_file = write_case(kQuick);
   SolveProcess first(case_file, directory("killed"));
   first.wait_for_writes(20);
@@ -142,11 +143,11 @@ TEST_F(SolveTest, DirectoryOfAKilledOneIsFree) {
   EXPECT_EQ(solve(case_file, "killed"), 0);
 }
 
-TEST_F(SolveTest, InvalidCaseExitsWithTwoAndSaysAllFaults) {
+TEST_F(SolveTest, InvalidCaseExitsWith2AndPrintsAllIssues) {
   const fs::path case_file = write_case(R"({"shape": "cube", "Ca": -1, "V": "thick", "colour": "red"})");
   EXPECT_EQ(solve(case_file, "invalid"), 2);
-  for (const char* fault : {"/shape: ", "/Ca: ", "/V: ", "/colour: "})
-    EXPECT_THAT(log("invalid"), HasSubstr(fault));
+  for (const char* pointer : {"/shape: ", "/Ca: ", "/V: ", "/colour: "})
+    EXPECT_THAT(log("invalid"), HasSubstr(pointer));
   EXPECT_FALSE(fs::exists(directory("invalid") / "result.json"));
 }
 
@@ -157,7 +158,7 @@ TEST_F(SolveTest, DirectoryOfAnotherCaseIsRefused) {
   EXPECT_THAT(log("taken"), HasSubstr("another case"));
 }
 
-TEST_F(SolveTest, DivergingCaseExitsWithThreeAndItsResultSaysWhatAndWhen) {
+TEST_F(SolveTest, DivergingCaseExitsWith3AndItsResultSaysWhatAndWhen) {
   const fs::path case_file = write_case(R"({"shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.05,
     "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.5}, "until": {"kt": 20}})");
   EXPECT_EQ(solve(case_file, "diverging"), 3);
@@ -171,7 +172,7 @@ class SolveOnASmallDisk : public SolveTest {
   SmallDisk disk_{"1m"};
 };
 
-TEST_F(SolveOnASmallDisk, FullOneEndsTheRunAndItGoesOnWhenThereIsRoom) {
+TEST_F(SolveOnASmallDisk, FullDiskEndsTheRunWhichIsResumedOnceThereIsRoom) {
   if (!disk_.is_mounted()) GTEST_SKIP() << "this user may not mount a tmpfs";
   const fs::path case_file = write_case(kQuick);
   ASSERT_EQ(solve(case_file, "undisturbed"), 0);
@@ -190,13 +191,13 @@ TEST_F(SolveOnASmallDisk, FullOneEndsTheRunAndItGoesOnWhenThereIsRoom) {
   expect_same_answer("small", "undisturbed");
 }
 
-/// tests/reference/run_directory_1 is what a process of format 1 and numerics version 1 left.
+/// tests/reference/run_directory_1 was written by a process of format 1 and numerics version 1.
 class OldRunDirectory : public SolveTest {
  protected:
   const fs::path kept_ = source_directory() / "tests/reference/run_directory_1";
 };
 
-TEST_F(OldRunDirectory, UnfinishedOneIsResumed) {
+TEST_F(OldRunDirectory, UnfinishedRunIsResumed) {
   fs::copy(kept_, directory("old"));
   fs::remove(directory("old") / "result.json");
   ASSERT_EQ(solve(kept_ / "case.json", "old"), 0);
@@ -204,7 +205,7 @@ TEST_F(OldRunDirectory, UnfinishedOneIsResumed) {
   if (kNumericsVersion == 1) {
     EXPECT_THAT(log("old"), HasSubstr("resumed at step"));
     EXPECT_NEAR(result("old")["final"]["D_xy"], before["final"]["D_xy"], 1e-6);
-  } else {  // and is computed anew: its answer is another one
+  } else {  // then the checkpoint does not fit, and the run starts anew
     EXPECT_THAT(log("old"),
                 testing::ContainsRegex("is of numerics version 1|belongs to case 8fa8431217afd399"));
     EXPECT_EQ(result("old")["stop"], "reached_end");

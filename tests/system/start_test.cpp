@@ -1,5 +1,4 @@
-// What the real daemon answers, and how it ends, while it is still starting on a large database of an older
-// format.
+// The real daemon while it upgrades a large database of an older format: its answers, and its end on SIGTERM.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
@@ -33,7 +32,7 @@ int free_port() {
   return ntohs(address.sin_port);
 }
 
-/// As many queued cases as one of the old database's has, again and again.
+/// Adds `count` queued cases to the database, which differ in Ca, and all of them to one study.
 void add_cases(const std::filesystem::path& file, int count) {
   sqlite3* old = nullptr;
   sqlite3_open(file.c_str(), &old);
@@ -48,7 +47,7 @@ void add_cases(const std::filesystem::path& file, int count) {
   sqlite3_close(old);
 }
 
-/// A daemon that has not said yet that it serves.
+/// A daemon that has not yet printed that it serves.
 class StartingDaemon {
  public:
   explicit StartingDaemon(const std::filesystem::path& data)
@@ -63,15 +62,21 @@ class StartingDaemon {
     if (thread_.joinable()) thread_.join();
   }
 
-  /// What it says of its health, once the port is open.
+  /// The answer of /healthz, as soon as the port is open.
   ordered_json health() {
-    for (;; usleep(1000)) try {
-        return client_.get("/healthz");
+    ordered_json answer;
+    EXPECT_TRUE(wait_until([&] {
+      try {
+        answer = client_.get("/healthz");
+        return true;
       } catch (const Unreachable&) {
+        return false;
       }
+    }));
+    return answer;
   }
   Client& client() { return client_; }
-  /// The exit code, if it ended before it served.
+  /// Waits for the end. Returns the exit code, or -1 if the daemon had begun to serve.
   int wait() {
     thread_.join();
     return exit_code_;
@@ -84,7 +89,7 @@ class StartingDaemon {
   std::thread thread_;
 };
 
-TEST(Start, OnALargeOldDatabaseAnswersThatItIsStartingAndEndsAtOnceWhenItIsTerminated) {
+TEST(Start, OnALargeOldDatabaseAnswersThatItIsStartingAndEndsAtOnceWhenTerminated) {
   const TemporaryDirectory data;
   const std::filesystem::path file = data.path() / "capstan.sqlite";
   make_old_database(file);

@@ -1,4 +1,4 @@
-// `capstan doctor` and `capstan backup`, on what the real daemon has left.
+// `capstan doctor` and `capstan backup` on the data directory of a real daemon.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -40,14 +40,14 @@ class UpkeepTest : public testing::Test {
   CommandResult doctor(const std::string& options = "") {
     return run_capstan("doctor --data " + data_.path().string() + options);
   }
-  void expect_fault_that_is_mended(const std::string& what) {
+  void expect_error_that_is_repaired(const std::string& what) {
     const CommandResult found = doctor();
     EXPECT_EQ(found.exit_code, 1);
-    EXPECT_THAT(found.output, HasSubstr("fault: ")) << found.errors;
+    EXPECT_THAT(found.output, HasSubstr("error: ")) << found.errors;
     EXPECT_THAT(found.output, HasSubstr(what));
-    const CommandResult mended = doctor(" --repair");
-    EXPECT_EQ(mended.exit_code, 0) << mended.output << mended.errors;
-    EXPECT_THAT(mended.output, HasSubstr("mended: "));
+    const CommandResult repaired = doctor(" --repair");
+    EXPECT_EQ(repaired.exit_code, 0) << repaired.output << repaired.errors;
+    EXPECT_THAT(repaired.output, HasSubstr("repaired: "));
     EXPECT_EQ(doctor().output, "all is well\n");
   }
   void change(const char* sql) {
@@ -65,16 +65,16 @@ TEST_F(UpkeepTest, DoctorFindsNothingWhereAllIsWell) {
   EXPECT_EQ(found.output, "all is well\n");
 }
 
-TEST_F(UpkeepTest, DoctorMendsWrongSums) {
+TEST_F(UpkeepTest, DoctorRepairsWrongSums) {
   change("UPDATE schedule SET done = 7");
-  expect_fault_that_is_mended("are not those of its cases");
+  expect_error_that_is_repaired("are not those of its cases");
 }
 
 TEST_F(UpkeepTest, DoctorWritesALostOrChangedResultAgain) {
   const std::string before = file_bytes(run() / "result.json");
   for (const char* damage : {"", "{\"stop\":", "{\"stop\": \"steady\"}"}) {
     overwrite(run() / "result.json", damage);
-    expect_fault_that_is_mended("result.json");
+    expect_error_that_is_repaired("result.json");
     EXPECT_EQ(ordered_json::parse(file_bytes(run() / "result.json")), ordered_json::parse(before));
   }
 }
@@ -82,14 +82,14 @@ TEST_F(UpkeepTest, DoctorWritesALostOrChangedResultAgain) {
 TEST_F(UpkeepTest, DoctorWritesALostOrDamagedHistoryAgain) {
   const fs::path history = run() / "history.jsonl";
   fs::remove(history);
-  expect_fault_that_is_mended("history.jsonl is missing; the database holds 10 records");
+  expect_error_that_is_repaired("history.jsonl is missing; the database holds 10 records");
   overwrite(history, file_bytes(history) + "rubbish\n");
-  expect_fault_that_is_mended("history.jsonl is damaged in line 11");
+  expect_error_that_is_repaired("history.jsonl is damaged in line 11");
 }
 
 TEST_F(UpkeepTest, DoctorStoresAHistoryThatTheDatabaseLacks) {
   change("DELETE FROM histories WHERE record > 3");
-  expect_fault_that_is_mended("the database holds 4 of the 10 records");
+  expect_error_that_is_repaired("the database holds 4 of the 10 records");
   Database database(data_.path() / "capstan.sqlite", Database::Access::read);
   Statement row = database.query("SELECT count(*) FROM histories");
   ASSERT_TRUE(row.step());
@@ -100,23 +100,23 @@ TEST_F(UpkeepTest, DoctorSaysThatADoneCaseHasLostItsHistory) {
   change("DELETE FROM histories");
   fs::remove(run() / "history.jsonl");
   EXPECT_THAT(doctor(" --repair").output,
-              HasSubstr("fault: case " + case_id_ + " is done, but has no history"));
+              HasSubstr("error: case " + case_id_ + " is done, but has no history"));
 }
 
 TEST_F(UpkeepTest, DoctorQueuesACaseWhoseResultIsLostAgain) {
   change("DELETE FROM results");
-  expect_fault_that_is_mended("is done, but has no result");
+  expect_error_that_is_repaired("is done, but has no result");
   const Daemon daemon(data_.path());
   Client client(daemon.url());
   const std::string id = client.get("/v1/studies")["studies"][0]["id"];
   wait_for_cases(client, id, "done", 2);
 }
 
-TEST_F(UpkeepTest, DoctorTakesAwayHalfWrittenFilesAndEmptyOrphans) {
+TEST_F(UpkeepTest, DoctorRemovesPartialFilesAndEmptyOrphans) {
   std::ofstream(run() / "checkpoint-a.h5.partial") << "half";
-  expect_fault_that_is_mended("half-written");
+  expect_error_that_is_repaired("half-written");
   fs::create_directories(data_.path() / "runs" / "00000000deadbeef");
-  expect_fault_that_is_mended("belongs to no case");
+  expect_error_that_is_repaired("belongs to no case");
 }
 
 TEST_F(UpkeepTest, DoctorMakesTheDirectoryOfTheRunsAgainWithWhatTheDatabaseHas) {
@@ -126,7 +126,7 @@ TEST_F(UpkeepTest, DoctorMakesTheDirectoryOfTheRunsAgainWithWhatTheDatabaseHas) 
   EXPECT_EQ(doctor().output, "all is well\n");
 }
 
-TEST_F(UpkeepTest, DoctorLeavesAnOrphanThatHoldsWork) {
+TEST_F(UpkeepTest, DoctorKeepsAnOrphanThatHoldsWork) {
   const fs::path orphan = data_.path() / "runs" / "00000000deadbeef";
   fs::create_directories(orphan);
   std::ofstream(orphan / "checkpoint-a.h5") << "hours of work";
@@ -162,33 +162,33 @@ class InterruptedRun : public UpkeepTest {
   const char* const b_ = "checkpoint-b.h5";
 };
 
-TEST_F(InterruptedRun, WithSoundCheckpointsIsWell) { EXPECT_EQ(doctor().output, "all is well\n"); }
+TEST_F(InterruptedRun, WithValidCheckpointsHasNoFindings) { EXPECT_EQ(doctor().output, "all is well\n"); }
 
 TEST_F(InterruptedRun, DoctorNotesThatADamagedCheckpointLeavesTheOther) {
   for (const auto& [damaged, other] : {std::pair{a_, b_}, {b_, a_}}) {
-    const std::string sound = file_bytes(run() / damaged);
+    const std::string intact = file_bytes(run() / damaged);
     flip_last_byte(damaged);
     const CommandResult found = doctor(" --repair");
     EXPECT_EQ(found.exit_code, 0) << found.errors;
     EXPECT_THAT(found.output, StartsWith("note: "));
     EXPECT_THAT(found.output, HasSubstr(std::string(damaged) + " fails its checksum"));
     EXPECT_THAT(found.output, HasSubstr("the case goes on from " + std::string(other)));
-    overwrite(run() / damaged, sound);
+    overwrite(run() / damaged, intact);
   }
 }
 
-TEST_F(InterruptedRun, DoctorSaysThatACaseWithoutASoundCheckpointStartsAnew) {
+TEST_F(InterruptedRun, DoctorSaysThatACaseWithoutAValidCheckpointStartsAnew) {
   flip_last_byte(a_);
   overwrite(run() / b_, "hours of w");
   const std::string found = doctor().output;
   EXPECT_THAT(found, HasSubstr("checkpoint-a.h5 fails its checksum: the case starts anew"));
   EXPECT_THAT(found, HasSubstr("checkpoint-b.h5 is truncated or has no valid header: the case starts anew"));
-  expect_fault_that_is_mended("starts anew");
+  expect_error_that_is_repaired("starts anew");
   EXPECT_FALSE(fs::exists(run() / a_));
   EXPECT_FALSE(fs::exists(run() / b_));
 }
 
-TEST_F(UpkeepTest, DoctorLooksAtAServedDirectoryButMendsNothingThere) {
+TEST_F(UpkeepTest, DoctorChecksAServedDirectoryButRepairsNothingThere) {
   const Daemon daemon(data_.path());
   EXPECT_EQ(doctor().exit_code, 0);
   const CommandResult refused = doctor(" --repair");
@@ -221,8 +221,8 @@ TEST_F(UpkeepTest, BackupReplacesAnEarlierOne) {
   EXPECT_FALSE(fs::exists(elsewhere_.path() / "copy.sqlite.partial"));
 }
 
-/// Whatever stands at FILE and is no earlier copy stays as it is.
-TEST_F(UpkeepTest, BackupReplacesNothingElse) {
+/// A file, directory or device at the target that is no earlier backup stays unchanged.
+TEST_F(UpkeepTest, BackupReplacesNothingButAnEarlierBackup) {
   const Daemon daemon(data_.path());
   const fs::path there = elsewhere_.path();
   overwrite(there / "text", "not a database");

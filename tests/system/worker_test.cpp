@@ -1,10 +1,10 @@
-// Runs that go astray, with real processes: stopped past their lease, too large, too long.
+// Real processes that exceed a limit: stopped past their lease, too much memory, too much time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
+#include <optional>
 
 #include "runner/daemon/process_identity.hpp"
 #include "runner/store/database.hpp"
@@ -23,28 +23,30 @@ class WorkerTest : public testing::Test {
  protected:
   /// One case of that viscosity ratio.
   std::string submit(Client& client, int V) {
-    return client.post("/v1/studies", study_document("astray", {{"Ca", {0.25}}, {"V", {V}}}).dump())["id"];
+    return client.post("/v1/studies", study_document("limits", {{"Ca", {0.25}}, {"V", {V}}}).dump())["id"];
   }
   ordered_json only_case(Client& client, const std::string& id) {
     const ordered_json cases = client.get("/v1/studies/" + id + "/cases");
     return client.get("/v1/cases/" + cases["cases"][0]["id"].get<std::string>());
   }
-  /// A case is running from its claim on; its process is known a little later.
+  /// Waits until the process of the running case is recorded, which happens after the case is claimed.
   ProcessIdentity process_of_the_run() {
     Database database(data_.path() / "capstan.sqlite", Database::Access::read);
-    for (int i = 0; i < 500; ++i, usleep(10000)) {
+    std::optional<ProcessIdentity> process;
+    EXPECT_TRUE(wait_until([&] {
       Statement row = database.query("SELECT handle FROM attempts WHERE handle <> '' AND ended_at IS NULL");
-      if (row.step()) return process_from_text(row.text(0)).value();
-    }
-    return {};
+      if (row.step()) process = process_from_text(row.text(0));
+      return process.has_value();
+    }));
+    return process.value_or(ProcessIdentity{});
   }
 
   TemporaryDirectory data_;
 };
 
-/// The fencing test. All that the first process still needed for a result was there: it must never publish
-/// it.
-TEST_F(WorkerTest, StoppedPastItsLeaseAndContinuedPublishesNothing) {
+/// Fencing: a process that loses its lease must never publish a result, although nothing else keeps it from
+/// computing one.
+TEST_F(WorkerTest, ProcessStoppedPastItsLeasePublishesNothingWhenContinued) {
   const Daemon daemon(data_.path(), {"--cores", "1", "--lease", "1"});
   Client client(daemon.url());
   const std::string id = submit(client, 40);
@@ -67,7 +69,7 @@ TEST_F(WorkerTest, StoppedPastItsLeaseAndContinuedPublishesNothing) {
   EXPECT_EQ(attempts[1]["ending"], "done");
 }
 
-TEST_F(WorkerTest, LeaseOfOneThatComputesIsRenewed) {
+TEST_F(WorkerTest, LeaseOfAProcessThatComputesIsRenewed) {
   const Daemon daemon(data_.path(), {"--cores", "1", "--lease", "1"});
   Client client(daemon.url());
   const std::string id = submit(client, 40);
@@ -77,7 +79,7 @@ TEST_F(WorkerTest, LeaseOfOneThatComputesIsRenewed) {
   EXPECT_EQ(only_case(client, id)["attempt"], 1);
 }
 
-TEST_F(WorkerTest, TooLargeIsEndedAndSaysHowMuchItTook) {
+TEST_F(WorkerTest, CaseOverItsMemoryLimitIsStoppedAndSaysHowMuchItTook) {
   const Daemon daemon(data_.path(), {"--memory", "60"});
   Client client(daemon.url());
   const std::string id = submit(client, 45);
@@ -87,7 +89,7 @@ TEST_F(WorkerTest, TooLargeIsEndedAndSaysHowMuchItTook) {
   EXPECT_EQ(only_case(client, id)["crashes"], 0);
 }
 
-TEST_F(WorkerTest, TooLongIsEndedAndSaysTheLimit) {
+TEST_F(WorkerTest, CaseOverItsTimeLimitIsStoppedAndSaysTheLimit) {
   const Daemon daemon(data_.path(), {"--wall-time", "1"});
   Client client(daemon.url());
   const std::string id = submit(client, 40);

@@ -1,5 +1,5 @@
-// Writes the shapes of a sphere of radius 1 + kt/2 at kt = 0, 0.5, 1, 1.5 into the directory given: what
-// paraview_opens_shapes.sh looks at. It expands at the velocity x/(2 r) under the force 3 x.
+// Writes the shapes of a sphere of radius 1 + kt/2 at kt = 0, 0.5, 1, 1.5 into the given directory, for
+// paraview_opens_shapes.sh. The velocity is x/(2 r), the force 3 x.
 #include "solver/mesh/icosphere.hpp"
 #include "solver/output/shape_writer.hpp"
 

@@ -48,7 +48,7 @@ std::string promises() {
 TEST(Promises, NameTestsThatExist) {
   const std::string section = promises();
   const std::set<std::string> tests = all_tests();
-  const std::regex pattern("`([A-Z][A-Za-z]+\\.[A-Za-z*]+)`");
+  const std::regex pattern("`([A-Z][A-Za-z]+\\.[A-Za-z0-9*]+)`");
   int count = 0;
   for (std::sregex_iterator found(section.begin(), section.end(), pattern), end; found != end;
        ++found, ++count) {

@@ -26,7 +26,7 @@ TEST(Progress, TextCountsTheCasesThatHaveEnded) {
             "[###############...............]  50 %  2 of 4 cases, 1 running");
 }
 
-TEST(Progress, LogHasOneLineAChangeAndNoEscapeCodes) {
+TEST(Progress, LogHasOneLineForEachChangeAndNoEscapeCodes) {
   std::ostringstream out;
   ProgressLine line(out, false);
   for (double progress : {0.1, 0.11, 0.12}) line.show(study(0, 2, 2, progress));
@@ -37,7 +37,7 @@ TEST(Progress, LogHasOneLineAChangeAndNoEscapeCodes) {
             "[#########.....................]  30 %  1 of 4 cases, 2 running\n");
 }
 
-TEST(Progress, TerminalLineRenewsItself) {
+TEST(Progress, LineOnATerminalIsRewritten) {
   std::ostringstream out;
   ProgressLine line(out, true);
   line.show(study(0, 2, 2, 0.1));

@@ -126,37 +126,5 @@ TEST(PhaseDiagram, IsReadBackFromItsJson) {
   EXPECT_EQ(to_json(phase_diagram_from_json(ordered_json::parse(json.dump()))), json);
 }
 
-TEST(PhaseDiagram, SaysWhereTheOtherAxesAreFixed) {
-  const std::string text =
-      render(*phase_diagram(kThreeAxes, points_of_three_axes(), {"", "", {"E_b=0.01"}}).value, false);
-  EXPECT_NE(text.find("\nat E_b = 0.01\n"), std::string::npos) << text;
-}
-
-TEST(PhaseDiagram, IsDrawnWithYUpwardsAndALegendOfWhatItShows) {
-  EXPECT_EQ(render(*phase_diagram(kStudy, kPoints).value, false),
-            " V\n"
-            " 4 |  TB    .\n"
-            " 2 |  TT    !\n"
-            "   +------------\n"
-            "     0.25  0.75   Ca\n"
-            "\n"
-            " TB   tumbling\n"
-            " TT   tank-treading\n"
-            " !    failed\n"
-            " .    queued\n");
-}
-
-TEST(PhaseDiagram, SaysBothReasonsForWhichALabelIsUndecided) {
-  const auto diagram = phase_diagram(kStudy, {point_with({{"Ca", 0.25}, {"V", 2}}, "undecided")}).value;
-  EXPECT_NE(render(*diagram, false).find("undecided: the run was too short, or its surface was lost\n"),
-            std::string::npos);
-}
-
-TEST(PhaseDiagram, HasEscapeCodesOnlyForATerminal) {
-  const auto diagram = phase_diagram(kStudy, kPoints).value;
-  EXPECT_EQ(render(*diagram, false).find('\x1b'), std::string::npos);
-  EXPECT_NE(render(*diagram, true).find("\x1b[1;97;41m"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace capstan

@@ -10,7 +10,7 @@ TEST(Printable, KeepsText) {
     EXPECT_EQ(printable(text), text);
 }
 
-TEST(Printable, LeavesNothingThatATerminalObeys) {
+TEST(Printable, ReplacesControlCharactersAndEscapeSequences) {
   EXPECT_EQ(printable("\x1b[2Jgone\x1b]0;title\a"), "?[2Jgone?]0;title?");
   EXPECT_EQ(printable("over\rwritten\b\x7f"), "over?written??");
   EXPECT_EQ(printable("\xc2\x9b"
@@ -28,7 +28,7 @@ TEST(Printable, LeavesNothingThatATerminalObeys) {
   EXPECT_EQ(printable(std::string("a\0b", 3)), "a?b");
 }
 
-TEST(Printable, ReplacesWhatIsNoUtf8) {
+TEST(Printable, ReplacesInvalidUtf8) {
   EXPECT_EQ(printable("\xff\xfe"), "??");
   EXPECT_EQ(printable("cut \xc3"), "cut ?");
   EXPECT_EQ(printable("\xe2\x82"), "??");

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "runner/render/export.hpp"
 #include "runner/render/result_columns.hpp"
+#include "runner/render/result_tables.hpp"
 #include "solver/case/parse.hpp"
 
 namespace capstan {
@@ -82,7 +82,7 @@ ordered_json cell(const Table& table, std::size_t row, const std::string& column
              : table.rows[row][static_cast<std::size_t>(found - table.columns.begin())];
 }
 
-TEST(FullTable, HasEverythingThatWasAskedForResolvedAndFound) {
+TEST(FullTable, HasRequestedAndResolvedParametersAndResults) {
   const Table table = full_table({point(1, R"({"Ca": 0.1, "fidelity": "fast", "fluid": "quasisteady"})",
                                         {{"stop", "reached_end"},
                                          {"trust",
@@ -132,7 +132,7 @@ TEST(FullTable, KnowsEveryKeyOfACase) {
   }
 }
 
-TEST(SummaryTable, ShowsTheAxesAsAskedForAndWhatVariesBeside) {
+TEST(SummaryTable, ShowsTheRequestedAxesAndOtherColumnsThatVary) {
   const ordered_json cases = {point(1, R"({"Ca": 0.1, "fluid": "auto", "fidelity": "fast"})"),
                               point(2, R"({"Ca": 0.1, "fluid": "quasisteady", "fidelity": "standard"})",
                                     {{"trust", {{"warnings", {"the volume drifted"}}}}, {"same_as", 1}})};
@@ -152,13 +152,13 @@ TEST(SummaryTable, ShowsTheAxesAsAskedForAndWhatVariesBeside) {
                                                            "D_xy", "θ/π", "margin", "message"}));
 }
 
-TEST(SummaryTable, TellsValuesOfAnAxisApartHoweverCloseTheyAre) {
+TEST(SummaryTable, ShowsValuesOfAnAxisWithAllTheirDigits) {
   const Table table = summary_table(study_over({"V"}), {point(1, R"({"Ca": 0.1, "V": 1.000001})"),
                                                         point(2, R"({"Ca": 0.1, "V": 1.000002})")});
   EXPECT_THAT(as_text(table), testing::AllOf(testing::HasSubstr("1.000001"), testing::HasSubstr("1.000002")));
 }
 
-TEST(SummaryTable, HasNoColumnForWhatIsMerelyNotKnownYet) {
+TEST(SummaryTable, HasNoColumnForValuesThatOnlyUnfinishedRunsLack) {
   const ordered_json ended = {{"stop", "reached_end"}, {"trust", {{"numerics_version", 6}}}};
   const ordered_json failed = {{"stop", "diverged"}};
   const Table running =

@@ -1,4 +1,4 @@
-#include "runner/render/export.hpp"
+#include "runner/render/result_tables.hpp"
 
 #include "runner/render/result_columns.hpp"
 

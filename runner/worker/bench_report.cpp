@@ -1,4 +1,4 @@
-#include "runner/render/bench_report.hpp"
+#include "runner/worker/bench_report.hpp"
 
 #include <ostream>
 #include <utility>

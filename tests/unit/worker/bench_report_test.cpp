@@ -1,4 +1,4 @@
-#include "runner/render/bench_report.hpp"
+#include "runner/worker/bench_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 const nlohmann::ordered_json kRows = {{{"dx", 0.1}, {"ms", 2}}};
 
-TEST(BenchReport, SeveralTablesAreOneDocument) {
+TEST(BenchReport, TablesAreOneJsonDocument) {
   std::ostringstream out;
   BenchReport report(out, true);
   report.add("first", kRows);
@@ -21,7 +21,7 @@ TEST(BenchReport, SeveralTablesAreOneDocument) {
   EXPECT_EQ(document["tables"][1]["rows"][0]["ms"], 2);
 }
 
-TEST(BenchReport, PeopleSeeATableAsSoonAsItIsMeasured) {
+TEST(BenchReport, TableIsPrintedAsTextAsSoonAsItIsAdded) {
   std::ostringstream out;
   BenchReport report(out, false);
   report.add("first", kRows);

@@ -1,5 +1,5 @@
 #pragma once
-// Figures as they are measured: tables of named values, for people or for programs.
+// Tables of measured numbers, for people or for programs.
 #include <iosfwd>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -7,15 +7,16 @@
 
 namespace capstan {
 
-/// For people each table is printed as soon as it is measured; for programs all of them as one document at
-/// the end.
+/// As text each table is printed as soon as it is measured; as JSON all of them are one document at the end.
 class BenchReport {
  public:
   BenchReport(std::ostream& out, bool json) : out_(out), json_(json) {}
 
-  /// \param rows   JSON objects with the same keys
-  /// \param exact  columns whose numbers are shown in full also to people
+  /// \param rows   JSON objects that have the same keys: the columns
+  /// \param exact  columns whose numbers are shown in full as text, too; others are rounded to four digits
   void add(const std::string& title, const nlohmann::ordered_json& rows, std::set<std::size_t> exact = {});
+
+  /// Prints the JSON document. Does nothing for text.
   void finish();
 
  private:

@@ -1,0 +1,19 @@
+#pragma once
+// Tables of results and histories.
+#include <nlohmann/json.hpp>
+
+#include "runner/render/table.hpp"
+
+namespace capstan {
+
+/// For people: the values of the axes as requested, the other columns that vary, and the main results. One
+/// point a row. \param study  as find_study returns it  \param cases  as find_cases returns them
+Table summary_table(const nlohmann::ordered_json& study, const nlohmann::ordered_json& cases);
+
+/// For programs: all requested and resolved parameters and all results, one point a row (schema/results.md).
+Table full_table(const nlohmann::ordered_json& cases);
+
+/// One column for each observable, one row a record. \param history  as find_history returns it
+Table history_table(const nlohmann::ordered_json& history);
+
+}  // namespace capstan

@@ -1,0 +1,54 @@
+#include "runner/render/phase_diagram_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace capstan {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// Over Ca and V, with a motion, a failed and a queued case.
+PhaseDiagram diagram() {
+  return {.x = {"Ca", {0.25, 0.75}},
+          .y = {"V", {2, 4}},
+          .at = {},
+          .rows = {{{"tank_treading", "done", {"a"}}, {"", "failed", {"b"}}},
+                   {{"tumbling", "done", {"c"}}, {"", "queued", {"d"}}}}};
+}
+
+TEST(PhaseDiagramText, HasYUpwardsAndALegendOfTheMarksThatOccur) {
+  EXPECT_EQ(phase_diagram_text(diagram(), false),
+            " V\n"
+            " 4 |  TB    .\n"
+            " 2 |  TT    !\n"
+            "   +------------\n"
+            "     0.25  0.75   Ca\n"
+            "\n"
+            " TB   tumbling\n"
+            " TT   tank-treading\n"
+            " !    failed\n"
+            " .    queued\n");
+}
+
+TEST(PhaseDiagramText, NamesTheValuesOfTheAxesThatAreNotDrawn) {
+  PhaseDiagram section = diagram();
+  section.at["E_b"] = 0.01;
+  EXPECT_THAT(phase_diagram_text(section, false), HasSubstr("\nat E_b = 0.01\n"));
+}
+
+TEST(PhaseDiagramText, NamesBothReasonsForAnUndecidedLabel) {
+  PhaseDiagram undecided = diagram();
+  undecided.rows[0][0].motion = "undecided";
+  EXPECT_THAT(phase_diagram_text(undecided, false),
+              HasSubstr("undecided: the run was too short, or its surface was lost\n"));
+}
+
+TEST(PhaseDiagramText, HasEscapeCodesOnlyInColour) {
+  EXPECT_THAT(phase_diagram_text(diagram(), false), Not(HasSubstr("\x1b")));
+  EXPECT_THAT(phase_diagram_text(diagram(), true), HasSubstr("\x1b[1;97;41m"));
+}
+
+}  // namespace
+}  // namespace capstan
