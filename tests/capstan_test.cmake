@@ -1,5 +1,5 @@
 # capstan_test_program(NAME [RUNS PROGRAM] LINKS LIBRARY... SOURCES FILE...)
-#   A program of the tests. It may run the target PROGRAM as a process: its path is CAPSTAN_PROGRAM.
+#   Adds a program of the tests. If it runs the target PROGRAM as a process, CAPSTAN_PROGRAM is the path of that.
 function(capstan_test_program name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "RUNS" "LINKS;SOURCES")
   add_executable(${name} ${arg_SOURCES})
@@ -14,7 +14,7 @@ endfunction()
 add_custom_target(unit_tests)
 
 # capstan_test(NAME LABEL LABEL [RUNS PROGRAM] LINKS LIBRARY... SOURCES FILE...)
-#   The same, with GoogleTest's main; CTest knows each of its tests, under the label.
+#   Adds a program with GoogleTest's main, and each of its tests to CTest, with the label.
 function(capstan_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "")
   capstan_test_program(${name} ${arg_UNPARSED_ARGUMENTS})
@@ -22,6 +22,7 @@ function(capstan_test name)
   if(arg_LABEL STREQUAL "unit")
     add_dependencies(unit_tests ${name})
   endif()
-  gtest_discover_tests(${name} PROPERTIES LABELS ${arg_LABEL}
+  # NO_PRETTY_VALUES: the names of value-parameterised tests are those given in the sources.
+  gtest_discover_tests(${name} NO_PRETTY_VALUES PROPERTIES LABELS ${arg_LABEL}
     ENVIRONMENT LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/support/lsan_suppressions.txt)
 endfunction()

@@ -7,6 +7,7 @@
 
 #include "tests/reference/neo_hookean_sphere.hpp"
 #include "tests/support/sphere_run.hpp"
+#include "tests/support/test_names.hpp"
 
 namespace capstan {
 namespace {
@@ -24,7 +25,7 @@ TEST_P(FastSphere, DeformsWithinEightPercentOfBoundaryIntegrals) {
   EXPECT_NEAR(history.back().volume / history.front().volume, 1, 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ca, FastSphere, ::testing::Values(0.05, 0.1));
+INSTANTIATE_TEST_SUITE_P(Spheres, FastSphere, ::testing::Values(0.05, 0.1), testing::number_names("Ca"));
 
 // Linear theory for Ca -> 0: D = 25/4 Ca, and the membrane turns with the vorticity, k/2.
 // Measured: D 0.0899 (linear: 0.0781), rate 0.475.

@@ -8,6 +8,7 @@
 #include "tests/support/history_of.hpp"
 #include "tests/support/memory_output.hpp"
 #include "tests/support/parsed_case.hpp"
+#include "tests/support/test_names.hpp"
 
 namespace capstan {
 namespace {
@@ -109,11 +110,13 @@ TEST_P(RedBloodCell, MovesAsInThePaper) {
   const History& history = simulation.history();
   for (const Record& record : history) EXPECT_NEAR(record.volume / history.front().volume, 1, 1e-3);
 }
-INSTANTIATE_TEST_SUITE_P(Fig16, RedBloodCell,
-                         ::testing::Values(Cell{"0.25", "4", Motion::tumbling},
-                                           Cell{"0.75", "4", Motion::tank_treading},
-                                           Cell{"0.4", "2", Motion::tank_treading},
-                                           Cell{"0.4", "10", Motion::tumbling}));
+INSTANTIATE_TEST_SUITE_P(
+    Fig16, RedBloodCell,
+    ::testing::Values(Cell{"0.25", "4", Motion::tumbling}, Cell{"0.75", "4", Motion::tank_treading},
+                      Cell{"0.4", "2", Motion::tank_treading}, Cell{"0.4", "10", Motion::tumbling}),
+    [](const auto& test) {
+      return "Ca_" + testing::name_part(test.param.Ca) + "_V_" + testing::name_part(test.param.V);
+    });
 
 }  // namespace
 }  // namespace capstan

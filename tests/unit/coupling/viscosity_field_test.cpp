@@ -8,6 +8,7 @@
 
 #include "solver/mesh/geometry.hpp"
 #include "solver/mesh/shapes.hpp"
+#include "tests/support/test_names.hpp"
 
 namespace capstan {
 namespace {
@@ -47,7 +48,7 @@ double filled_volume(const Field& field, double dx, double inner) {
   return cells * dx * dx * dx;
 }
 
-class BothSidesOfOne : public testing::TestWithParam<double> {
+class BothSidesOfOne : public ::testing::TestWithParam<double> {
  protected:
   double inner() const { return GetParam() * Field::kAmbient; }
 };
@@ -79,7 +80,8 @@ TEST_P(BothSidesOfOne, BiconcaveIsFilledAndNothingElse) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(V, BothSidesOfOne, testing::Values(0.1, 10.0));
+INSTANTIATE_TEST_SUITE_P(ViscosityField, BothSidesOfOne, ::testing::Values(0.1, 10.0),
+                         capstan::testing::number_names("V"));
 
 /// The rim of the biconcave shape lies around the circle of its greatest thickness.
 TEST(ViscosityField, RimOfABiconcaveShapeIsInsideAllAround) {

@@ -94,7 +94,8 @@ TEST(VariationalBending, EnergyOfTheSphereConvergesToEightPi) {
 
 class EveryBendingModel : public ::testing::TestWithParam<BendingModel> {};
 INSTANTIATE_TEST_SUITE_P(Each, EveryBendingModel,
-                         ::testing::Values(BendingModel::variational, BendingModel::helfrich_literal));
+                         ::testing::Values(BendingModel::variational, BendingModel::helfrich_literal),
+                         [](const auto& test) { return std::string(to_string(test.param)); });
 
 // The first variation of Helfrich's energy on a sphere of radius R pushes outwards with  E_B (2/R - c0) c0 /
 // R  per area, and vanishes for c0 = 0 (E does not depend on size) and for c0 = 2/R.

@@ -46,7 +46,8 @@ class InPlane : public ::testing::TestWithParam<bool> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(NeoHookeanAndSkalak, InPlane, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Laws, InPlane, ::testing::Bool(),
+                         [](const auto& test) { return std::string(test.param ? "Skalak" : "NeoHookean"); });
 
 TEST_P(InPlane, ForcesAreTheNegativeGradientOfTheEnergy) {
   const auto energy = [&](const Points& x) { return capsule.elasticity.energy(x); };

@@ -29,9 +29,14 @@ class StrainLaws : public ::testing::TestWithParam<std::shared_ptr<const StrainL
   }
 };
 
+std::string law_name(const ::testing::TestParamInfo<std::shared_ptr<const StrainLaw>>& law) {
+  return law.index == 0 ? "NeoHookean" : law.index == 1 ? "SkalakC0" : "SkalakC5";
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, StrainLaws,
                          ::testing::Values(std::make_shared<NeoHookean>(), std::make_shared<Skalak>(0),
-                                           std::make_shared<Skalak>(5)));
+                                           std::make_shared<Skalak>(5)),
+                         law_name);
 
 TEST_P(StrainLaws, EnergyAndTensionVanishAtRest) {
   EXPECT_DOUBLE_EQ(energy(1, 1), 0);

@@ -5,6 +5,7 @@
 #include "solver/mesh/geometry.hpp"
 #include "solver/mesh/icosphere.hpp"
 #include "solver/mesh/shapes.hpp"
+#include "tests/support/test_names.hpp"
 
 namespace capstan {
 namespace {
@@ -42,7 +43,7 @@ TEST_P(Drop, WithoutTensionStrainsAsTaylorsSolution) {
       solved(flow_around(sphere.mesh, sphere.directions, V), sphere.directions, Points::Zero(3, 642));
   EXPECT_NEAR(strain_rate(sphere.directions, u) / (0.5 * 5 / (2 * V + 3)), 1, 0.015);
 }
-INSTANTIATE_TEST_SUITE_P(V, Drop, ::testing::Values(0.1, 1, 5, 20));
+INSTANTIATE_TEST_SUITE_P(Drops, Drop, ::testing::Values(0.1, 1, 5, 20), testing::number_names("V"));
 
 // A sphere pulled by a force F moves, with V = 1, by 1/(8 pi) int G F/(4 pi) dA = F / (6 pi): Stokes' law.
 TEST(StokesFlow, AUniformForceMovesTheSphereAsStokesLaw) {
