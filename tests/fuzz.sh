@@ -1,7 +1,7 @@
 #!/bin/sh
-# Searches for inputs that break the door or the study reader, with libFuzzer and the sanitizers.
+# Searches for inputs that break the HTTP request parser or the study reader, with libFuzzer and the sanitizers.
 #   sh tests/fuzz.sh [SECONDS EACH]
-# What reaches new code goes to build/fuzz/found/; what broke something is left beside it. To keep the smallest set:
+# Inputs that reach new code go to build/fuzz/found/; inputs that broke something are beside it. To keep the smallest set:
 #   build/fuzz/tests/fuzz_request -merge=1 tests/fuzz/corpus/request build/fuzz/found/request
 set -eu
 cd "$(dirname "$0")/.."
