@@ -67,11 +67,16 @@ Response problem(int status, const std::string& title, const std::string& detail
 
 std::string response_head(const Response& response) {
   std::string head = "HTTP/1.1 " + std::to_string(response.status) + " ";
-  head.append(reason_phrase(response.status)) += "\r\nContent-Type: " + response.content_type;
-  if (has_length(response)) head += "\r\nContent-Length: " + std::to_string(response.body.size());
-  head += "\r\nConnection: close\r\nX-Content-Type-Options: nosniff\r\n";
-  for (const auto& [name, value] : response.headers) head += name + ": " + value + "\r\n";
-  return head + "\r\n";
+  head.append(reason_phrase(response.status)).append("\r\n");
+  const auto add = [&](const std::string& name, const std::string& value) {
+    head.append(name).append(": ").append(value).append("\r\n");
+  };
+  add("Content-Type", response.content_type);
+  if (has_length(response)) add("Content-Length", std::to_string(response.body.size()));
+  add("Connection", "close");
+  add("X-Content-Type-Options", "nosniff");
+  for (const auto& [name, value] : response.headers) add(name, value);
+  return head.append("\r\n");
 }
 
 }  // namespace capstan
