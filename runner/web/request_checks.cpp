@@ -9,6 +9,12 @@
 namespace capstan {
 namespace {
 
+const QueryParameter* find(std::span<const QueryParameter> known, const std::string& name) {
+  for (const QueryParameter& each : known)
+    if (each.name == name) return &each;
+  return nullptr;
+}
+
 std::string names_of(std::span<const QueryParameter> parameters) {
   std::vector<std::string_view> names;
   for (const QueryParameter& parameter : parameters) names.push_back(parameter.name);
@@ -29,14 +35,13 @@ std::string issue_of(const QueryParameter& parameter, const std::string& value, 
 
 Issues check_query(std::span<const QueryParameter> known, const httplib::Params& query) {
   Issues issues;
-  for (auto each = query.begin(); each != query.end(); ++each) {
-    const auto& [name, value] = *each;
-    const auto parameter = std::find_if(known.begin(), known.end(),
-                                        [&](const QueryParameter& other) { return other.name == name; });
-    const bool is_repeated = each != query.begin() && std::prev(each)->first == name;
-    const std::string issue =
-        parameter == known.end() ? issue_of_unknown(known) : issue_of(*parameter, value, is_repeated);
+  const std::string* previous = nullptr;
+  for (const auto& [name, value] : query) {
+    const QueryParameter* const parameter = find(known, name);
+    const bool is_repeated = previous && *previous == name;
+    const std::string issue = parameter ? issue_of(*parameter, value, is_repeated) : issue_of_unknown(known);
     if (!issue.empty()) issues.push_back({name, issue});
+    previous = &name;
   }
   return issues;
 }
