@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds Capstan, starts its server, computes a small study and shows which capsules tumble and which tank-tread.
 #   sh runner/quickstart.sh [DATA_DIRECTORY]
-# The server keeps running; one that already serves the data directory is used.
+# The server keeps running. If a server of the data directory already runs, that one is used.
 set -eu
 cd "$(dirname "$0")/.."
 mkdir -p "${1:-capstan-data}"
@@ -15,12 +15,12 @@ build() {
   log=build/quickstart.log
   cmake --preset release >$log 2>&1 && cmake --build --preset release >>$log 2>&1 && return
   tail -n 40 $log >&2
-  echo "The build failed; $log has all of it." >&2
+  echo "The build failed; see $log." >&2
   exit 1
 }
 
-# What answers at the port: "ours", a server of the data directory; "starting", the same, not ready yet; "other"; or
-# "nothing".
+# Prints what answers at the port: "ours" (a server of the data directory), "starting" (the same, not ready yet),
+# "other" or "nothing".
 listener_at() {
   code=0
   answer=$(curl -s --max-time 3 "http://127.0.0.1:$1/healthz") || code=$?
@@ -45,7 +45,7 @@ start_server() {
   echo "Started the server at port $port, data in $data"
 }
 
-# The first port from 8017 on where our server answers, or where it can be started.
+# Sets `port` to the first one from 8017 on where our server answers or can be started.
 find_or_start_server() {
   port=8017
   while :; do

@@ -1,10 +1,12 @@
-// How near the lattices' sweeps come to the memory's own pace. Run on a quiet machine (and with 2 threads):
+// Speed of the lattices' sweeps relative to the memory bandwidth. Run on a quiet machine, with one thread and
+// with all:
 //   cmake --preset release -DCAPSTAN_BENCHMARKS=ON
 //   cmake --build --preset release --target kernel_benchmark
-//   OMP_NUM_THREADS=1 build/release/solver/kernel_benchmark
-// `share` is the traffic of the sweep over that of scaling an array of the same size in place (`limit`); the
-// two take turns. 19 populations move 38 numbers an update, four moments 12 with those that are fetched to be
-// overwritten, a sweep of the composite 16, and 37 with stresses.
+//   OMP_NUM_THREADS=1 build/release/tests/benchmark/kernel_benchmark
+// `limit` is the memory traffic of scaling an array of the same size in place, in bytes a second; `share` is
+// the traffic of the sweep over this limit. The two are measured in turns. An update of a cell moves 38
+// numbers with 19 populations, 12 with four moments (including those that are fetched only to be
+// overwritten), 16 in a sweep of the composite grid, and 37 in one with stresses.
 #include <benchmark/benchmark.h>
 
 #include "solver/baseline/kernel_speed.hpp"
@@ -18,14 +20,14 @@ void sweep(benchmark::State& state) {
   KernelSpeed speed{};
   for (auto _ : state) {
     speed = kernel_speed<Real>(kernel, {n, n, n});
-    state.SetIterationTime(double(n) * n * n / speed.updates);  // of one step
+    state.SetIterationTime(double(n) * n * n / speed.updates);  // time of one step
   }
   state.counters["updates/s"] = speed.updates;
   state.counters["limit B/s"] = speed.bandwidth;
   state.counters["share"] = speed.share();
 }
 
-/// 16^3 fits into a core's own cache, 128^3 into none.
+/// 16^3 cells fit into a core's own cache, 128^3 into no cache.
 void sizes(benchmark::internal::Benchmark* sweep) {
   sweep->RangeMultiplier(2)->Range(16, 128)->UseManualTime()->Iterations(1)->Unit(benchmark::kMicrosecond);
 }

@@ -1,13 +1,12 @@
-// How near the sums over all pairs come to the processor's own pace. Run on a quiet machine:
+// Speed of the sums over all pairs of nodes relative to the peak of the processor. Run on a quiet machine:
 //   cmake --preset release -DCAPSTAN_BENCHMARKS=ON
 //   cmake --build --preset release --target point_sums_benchmark
-//   build/release/solver/point_sums_benchmark --benchmark_repetitions=9
-// A vector of pairs takes, as g++ 12 compiles the loops for AVX-512 and AVX2 alike,
+//   build/release/tests/benchmark/point_sums_benchmark --benchmark_repetitions=9
+// Instructions for one vector of pairs, as g++ 12 compiles the loops for AVX-512 and AVX2:
 //                multiplications   of them fused   additions   estimates of 1/sqrt   flops a pair
 //   Stokeslets                18              11           3                     1             33
 //   stresslets                21              10           6                     1             38
-// The peak of either mix is measured with the same instructions on registers alone, where none waits for
-// another.
+// The peak of each mix is measured with the same instructions on registers, without dependences between them.
 #include <benchmark/benchmark.h>
 #include <immintrin.h>
 
@@ -18,7 +17,7 @@
 namespace capstan {
 namespace {
 
-// Compiled for the machine it runs on, as wide as the loops that are chosen there.
+// The widest vectors of this machine (-march=native): those that the loops use there.
 #if defined(__AVX512F__)
 using Vector = __m512;
 Vector all(float value) { return _mm512_set1_ps(value); }
@@ -65,13 +64,14 @@ void stresslets(benchmark::State& state) {
 }
 BENCHMARK(stresslets)->Arg(642)->Arg(2562)->Arg(10242);
 
-// Opaque to the compiler, which would fold what depends on no memory.
+// In assembler, so that the compiler cannot evaluate it at compile time.
 inline void multiply_add(Vector& product, Vector factor, Vector term) {
   asm volatile("vfmadd213ps %2, %1, %0" : "+v"(product) : "v"(factor), "v"(term));
 }
 inline void add(Vector& sum, Vector term) { asm volatile("vaddps %1, %0, %0" : "+v"(sum) : "v"(term)); }
 
-/// The instructions of two vectors of pairs on independent chains, as many as hide their latency.
+/// The instructions for two vectors of pairs, on enough independent chains to hide the latency of each
+/// instruction.
 template <size_t... multiplication, size_t... addition>
 void two_vectors(Vector (&products)[9], Vector (&sums)[3], Vector (&roots)[2],
                  std::index_sequence<multiplication...>, std::index_sequence<addition...>) {

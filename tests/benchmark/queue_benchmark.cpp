@@ -1,9 +1,9 @@
-// How fast the queue is, through the real daemon on the disk of $TMPDIR (or /tmp), beside the targets:
+// Speed of the queue, measured through the real daemon on the disk of $TMPDIR (or /tmp), with its targets:
 //
 //   cmake --preset test && cmake --build --preset test --target queue_benchmark &&
 //   build/test/tests/queue_benchmark
 //
-// The physics is the fake solver's (tests/support/fake_solver.cpp): V = 46 writes a record each 10 ms, V = 70
+// The cases run the fake solver (tests/support/fake_solver.cpp): V = 46 writes a record every 10 ms, V = 70
 // waits.
 #include <spawn.h>
 #include <sys/wait.h>
@@ -32,7 +32,7 @@ double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Of the daemon so far; what it takes on a machine that has nothing else to do.
+/// Processor time of the daemon so far.
 double cpu_milliseconds(const Daemon& daemon) {
   return 1000 * usage_of(identify(daemon.pid()).value()).value().cpu_seconds;
 }
@@ -88,7 +88,7 @@ void measure_status() {
       times[kQueries * 99 / 100], times[kQueries / 2], (cpu_milliseconds(daemon) - cpu_before) / kQueries);
 }
 
-double resident_mb(pid_t pid) {
+double peak_memory_mb(pid_t pid) {
   std::ifstream status("/proc/" + std::to_string(pid) + "/status");
   for (std::string line; std::getline(status, line);)
     if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1000;
@@ -103,10 +103,10 @@ void measure_memory() {
   for (const auto& study : client.get_all("/v1/studies", "studies"))
     client.get("/v1/studies/" + study["id"].get<std::string>());
   std::printf("memory        %6.0f MB   peak of the daemon with 100,000 cases; target: 100 MB or less\n",
-              resident_mb(daemon.pid()));
+              peak_memory_mb(daemon.pid()));
 }
 
-/// The process alone, as often as the daemon starts it.
+/// Mean time of a process of a case without the daemon, in milliseconds.
 double process_time(int count, const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory);
   std::ofstream(directory / "case.json") << R"({"V": 4, "Ca": 0.25, "until": {"kt": 30}})";
