@@ -19,7 +19,7 @@ namespace {
 using nlohmann::ordered_json;
 using testing::HasSubstr;
 
-class WorkerTest : public testing::Test {
+class RunLimits : public testing::Test {
  protected:
   /// One case of that viscosity ratio.
   std::string submit(Client& client, int V) {
@@ -46,7 +46,7 @@ class WorkerTest : public testing::Test {
 
 /// Fencing: a process that loses its lease must never publish a result, although nothing else keeps it from
 /// computing one.
-TEST_F(WorkerTest, ProcessStoppedPastItsLeasePublishesNothingWhenContinued) {
+TEST_F(RunLimits, ProcessStoppedPastItsLeasePublishesNothingWhenContinued) {
   const Daemon daemon(data_.path(), {"--cores", "1", "--lease", "1"});
   Client client(daemon.url());
   const std::string id = submit(client, 40);
@@ -69,7 +69,7 @@ TEST_F(WorkerTest, ProcessStoppedPastItsLeasePublishesNothingWhenContinued) {
   EXPECT_EQ(attempts[1]["ending"], "done");
 }
 
-TEST_F(WorkerTest, LeaseOfAProcessThatComputesIsRenewed) {
+TEST_F(RunLimits, LeaseOfAProcessThatComputesIsRenewed) {
   const Daemon daemon(data_.path(), {"--cores", "1", "--lease", "1"});
   Client client(daemon.url());
   const std::string id = submit(client, 40);
@@ -79,7 +79,7 @@ TEST_F(WorkerTest, LeaseOfAProcessThatComputesIsRenewed) {
   EXPECT_EQ(only_case(client, id)["attempt"], 1);
 }
 
-TEST_F(WorkerTest, CaseOverItsMemoryLimitIsStoppedAndSaysHowMuchItTook) {
+TEST_F(RunLimits, CaseOverItsMemoryLimitIsStoppedAndSaysHowMuchItTook) {
   const Daemon daemon(data_.path(), {"--memory", "60"});
   Client client(daemon.url());
   const std::string id = submit(client, 45);
@@ -89,7 +89,7 @@ TEST_F(WorkerTest, CaseOverItsMemoryLimitIsStoppedAndSaysHowMuchItTook) {
   EXPECT_EQ(only_case(client, id)["crashes"], 0);
 }
 
-TEST_F(WorkerTest, CaseOverItsTimeLimitIsStoppedAndSaysTheLimit) {
+TEST_F(RunLimits, CaseOverItsTimeLimitIsStoppedAndSaysTheLimit) {
   const Daemon daemon(data_.path(), {"--wall-time", "1"});
   Client client(daemon.url());
   const std::string id = submit(client, 40);
