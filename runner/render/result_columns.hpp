@@ -1,6 +1,6 @@
 #pragma once
-// The columns of a study's results. A column is named by its path in the JSON of a point, without
-// "parameters.": "id", "Ca", "fidelity.nodes", "asked.fluid", "trust.warnings" (schema/results.md).
+// The columns of a study's results (schema/results.md). The path of a column is that of its value in the JSON
+// of a point, without "parameters.": "id", "Ca", "fidelity.nodes", "asked.fluid", "trust.warnings".
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -14,24 +14,25 @@ namespace capstan {
 struct ResultColumn {
   std::string name;  ///< in the header
   std::string path;
-  double unit = 1;  ///< numbers are shown in it
+  double unit = 1;  ///< numbers are divided by it
 };
 
-/// What the values of all points are like, gathered page by page.
+/// Collects which columns the points of a study have and which of them vary, page by page.
 class ResultColumns {
  public:
-  /// \param cases  as find_cases gives them
+  /// Adds points. \param cases  as find_cases returns them
   void look_at(const nlohmann::ordered_json& cases);
 
-  /// Every column: the known ones in their fixed order, with or without values, then what else was seen, by
-  /// name.
+  /// All columns: the known ones in their fixed order, even if they are empty, then others in alphabetical
+  /// order.
   std::vector<ResultColumn> all() const;
 
-  /// What was asked for on the axes, what varies, and what came of it.
-  /// \param study  as find_study gives it
+  /// The columns of the table for people: the requested values of the axes, the other parameters that vary,
+  /// the main results. \param study  as find_study returns it
   std::vector<ResultColumn> summary(const nlohmann::ordered_json& study) const;
 
  private:
+  /// The values of a column in the points so far.
   struct Seen {
     nlohmann::ordered_json first;
     std::size_t count = 0;
@@ -42,14 +43,14 @@ class ResultColumns {
   bool has_words(const std::string& path) const;
 
   std::map<std::string, Seen> seen_;
-  std::set<std::string> resolved_otherwise_;  ///< parameters whose value is another one than was asked for
+  std::set<std::string> resolved_otherwise_;  ///< parameters with another value than the requested one
   std::size_t points_ = 0;
 };
 
-/// One row a point.
+/// A table with one row for each point.
 Table table_of(const nlohmann::ordered_json& cases, const std::vector<ResultColumn>& columns);
 
-/// The columns that always stand in a CSV file.
+/// Paths of the columns that every CSV file has, in their order.
 const std::vector<std::string>& known_columns();
 
 }  // namespace capstan

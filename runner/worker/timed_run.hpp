@@ -14,8 +14,8 @@ struct TimedRun {
   double kt = 0;            ///< end of the last step
   double cpu_seconds = 0;   ///< processor time of all threads
   double wall_seconds = 0;  ///< of all steps
-  double steady_seconds =
-      0;  ///< wall time of all steps but the first, whose flow has no previous one to start from
+  /// Wall time of all steps but the first, whose flow has no previous one to start from.
+  double steady_seconds = 0;
 
   /// Wall time of a step after the first.
   double seconds_per_step() const;
