@@ -36,24 +36,32 @@ struct Scene {
 double milliseconds(double seconds) { return std::round(1e5 * seconds) / 100; }
 double rounded(double number) { return std::round(1000 * number) / 1000; }
 
-/// Time and contraction factors of the cycle. The factors are those of the error's norm at the vertices,
-/// against a flow solved to a tolerance of 1e-6; the first guess is the undisturbed shear flow.
-nlohmann::ordered_json cycle_row(const Scene& scene, const std::string& name, bool is_uniform,
-                                 bool is_quarter, double V) {
-  const CompositeOptions options{.Re = 0, .V = V, .tolerance = 1e-6, .is_uniform = is_uniform};
-  Points exact, u;
-  QuasisteadyFlow<float> flow(scene.sphere.mesh, scene.orbits(is_quarter), options);
-  flow.solve(0, scene.positions, scene.forces, exact);
-  CompositeOptions one_cycle = options;
-  one_cycle.tolerance = 1e300;  // so that solve() stops after one cycle
-  QuasisteadyFlow<float> iterated(scene.sphere.mesh, scene.orbits(is_quarter), one_cycle);
-  u = Points::Zero(3, exact.cols());
+/// Norms of the error at the vertices after 0 to 4 cycles that start from the undisturbed shear flow.
+/// \param exact  the solution, 3 x #V
+std::vector<double> errors_of_cycles(const Scene& scene, const Orbits& orbits, CompositeOptions options,
+                                     const Points& exact) {
+  options.tolerance = 1e300;  // so that solve() stops after one cycle
+  QuasisteadyFlow<float> flow(scene.sphere.mesh, orbits, options);
+  Points u = Points::Zero(3, exact.cols());
   u.row(0) = scene.positions.row(1);
   std::vector<double> errors = {(u - exact).norm()};
   for (int cycle = 0; cycle < 4; ++cycle) {
-    iterated.solve(0, scene.positions, scene.forces, u);
+    flow.solve(0, scene.positions, scene.forces, u);
     errors.push_back((u - exact).norm());
   }
+  return errors;
+}
+
+/// Time of a cycle, and the factors by which it reduces the error against a flow solved to a tolerance of
+/// 1e-6.
+nlohmann::ordered_json cycle_row(const Scene& scene, const std::string& name, bool is_uniform,
+                                 bool is_quarter, double V) {
+  const CompositeOptions options{.Re = 0, .V = V, .tolerance = 1e-6, .is_uniform = is_uniform};
+  const Orbits orbits = scene.orbits(is_quarter);
+  QuasisteadyFlow<float> flow(scene.sphere.mesh, orbits, options);
+  Points exact;
+  flow.solve(0, scene.positions, scene.forces, exact);
+  const std::vector<double> errors = errors_of_cycles(scene, orbits, options, exact);
   long cells = 0;
   for (const auto& grid : flow.grids()) cells += grid.box().cells();
   return {{"grid", name},
