@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "runner/queue/points.hpp"
-#include "runner/queue/replacement.hpp"
+#include "runner/daemon/case_rows.hpp"
+#include "runner/daemon/points.hpp"
+#include "runner/daemon/replacement.hpp"
 #include "runner/recording/result.hpp"
 #include "runner/store/fail_point.hpp"
 #include "runner/store/orphans.hpp"
@@ -49,7 +50,7 @@ void Service::take_over() {
     record(claim, readable_outcome_of(ProcessEnd{}, directory));
   }
   derive_old_points(database_);
-  price_cases(database_);
+  estimate_missing_costs(database_);
   replace_outdated(database_);
   for (const RunDirectory& orphan : orphans_in(data_.runs(), database_))
     if (orphan.is_worthless()) std::filesystem::remove_all(orphan.path());
@@ -91,7 +92,7 @@ void Service::submit_waiting() {
     expect_sound_database();
     Transaction transaction(database_);
     for (Waiting* each : together) try {
-        each->submission = queue_.submit(each->study, each->key);
+        each->submission = submit_study(database_, clock_, each->study, each->key);
       } catch (const KeyReused&) {  // has changed nothing, and concerns nobody else
         each->error = std::current_exception();
       }
@@ -122,7 +123,7 @@ std::optional<int> Service::cancel(const std::string& study_id) {
 std::optional<Deletion> Service::remove(const std::string& study_id) {
   std::optional<Deletion> deletion;
   write([&] {
-    deletion = queue_.remove(study_id);
+    deletion = delete_study(database_, queue_, study_id);
     return deletion ? std::optional<int>(deletion->deleted) : std::nullopt;
   });
   return deletion;
@@ -214,12 +215,12 @@ std::string Service::why_nothing_starts() const {
 void Service::delete_unwanted() {
   constexpr int kAtOnce = 50;
   std::vector<std::string> removed;
-  for (const std::string& id : queue_.delete_unwanted(kAtOnce)) {
+  for (const std::string& id : delete_unwanted_cases(database_, kAtOnce)) {
     std::error_code error;
     std::filesystem::remove_all(data_.run(id).path(), error);
     if (!error) removed.push_back(id);
   }
-  queue_.forget(removed);
+  forget_deleted(database_, removed);
 }
 
 /// A directory that is complete, of a case that nobody has recorded, is recorded: the database came back from

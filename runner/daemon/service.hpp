@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "runner/daemon/delete_study.hpp"
 #include "runner/daemon/executor.hpp"
+#include "runner/daemon/submit_study.hpp"
 #include "runner/queue/job_queue.hpp"
 #include "runner/recording/history.hpp"
 #include "runner/recording/outcome.hpp"

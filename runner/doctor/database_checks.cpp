@@ -56,31 +56,18 @@ std::vector<std::string> damage_of(Database& database) {
   return faults;
 }
 
+/// Summed costs are kept by adding and subtracting, which is not exact.
 std::vector<std::string> miscounted_studies(Database& database) {
-  return first_column(database.query(
-      "WITH c AS ("
-      " SELECT study_id, sum(state = 'queued') queued, sum(state = 'running') running, sum(state = 'done') "
-      "done,"
-      " sum(state = 'failed') failed, sum(state = 'diverged') diverged, sum(state = 'cancelled') cancelled,"
-      " sum(cost) cost_total, sum(cost * (state NOT IN ('queued', 'running', 'cancelled'))) cost_ended"
-      " FROM (SELECT DISTINCT study_id, case_id FROM study_cases) w JOIN cases ON id = w.case_id GROUP BY "
-      "study_id),"
-      " p AS ("
-      " SELECT study_id, count(*) points,"
-      " sum(motion IS 'tumbling') tumbling, sum(motion IS 'tank_treading') tank_treading,"
-      " sum(motion IS 'transition') transition, sum(motion IS 'undecided') undecided"
-      " FROM study_cases w LEFT JOIN results r ON r.case_id = w.case_id GROUP BY study_id)"
-      " SELECT s.study_id FROM schedule s JOIN c USING (study_id) JOIN p USING (study_id)"
-      " WHERE (s.queued, s.running, s.done, s.failed, s.diverged, s.cancelled, s.points, s.tumbling,"
-      " s.tank_treading, s.transition, s.undecided) IS NOT"
-      " (c.queued, c.running, c.done, c.failed, c.diverged, c.cancelled, p.points, p.tumbling,"
-      " p.tank_treading, p.transition, p.undecided)"
-      // sums of costs are kept by adding and taking away, which is not exact
-      " OR max(abs(s.cost_total - c.cost_total), abs(s.cost_ended - c.cost_ended)) > 1e-6 * c.cost_total"
-      " UNION SELECT s.id FROM studies s WHERE cancelled_at IS NULL AND"
-      " (SELECT count(*) FROM study_cases w JOIN cases c ON c.id = w.case_id"
-      "  WHERE w.study_id = s.id AND c.state = 'queued') <>"
-      " (SELECT count(*) FROM waiting WHERE study_number = s.number)"));
+  return first_column(
+      database.query("WITH total AS (SELECT study_id, sum(cost) cost FROM counted_tallies GROUP BY study_id)"
+                     " SELECT study_id FROM counted_tallies c FULL JOIN tallies t USING (study_id, word)"
+                     " LEFT JOIN total USING (study_id)"
+                     " WHERE ifnull(c.count, 0) <> ifnull(t.count, 0)"
+                     " OR abs(ifnull(c.cost, 0) - ifnull(t.cost, 0)) > 1e-6 * total.cost"
+                     " UNION SELECT s.id FROM studies s JOIN schedule USING (number)"
+                     " WHERE waiting <> (SELECT count(*) FROM waiting w WHERE w.study_number = s.number)"
+                     " OR waiting <> (s.cancelled_at IS NULL) * (SELECT count(*) FROM study_cases p"
+                     "  JOIN cases c ON c.id = p.case_id WHERE p.study_id = s.id AND c.state = 'queued')"));
 }
 
 }  // namespace capstan

@@ -14,7 +14,8 @@ ordered_json texts(Statement row) {
   return all;
 }
 
-/// Ids of studies begin with the name in small letters, so one range of ids holds all that can match.
+/// An id begins with the study's name in small letters: one range of ids, found by the index, holds all
+/// candidates.
 ordered_json find_studies(Database& database, const std::string& word) {
   const std::string begin = in_small_letters(word), end = begin + kAfterAll;
   const ordered_json exact = texts(database.query("SELECT id FROM studies WHERE id = ?", word));

@@ -7,7 +7,7 @@ std::string described(const std::string& name, const std::string& type, const st
   return "# HELP " + name + " " + help + "\n# TYPE " + name + " " + type + "\n";
 }
 
-/// One line a row: its first column is the label's value, its second the number.
+/// One line for each row of the query: label value and number.
 std::string counted(Database& database, const std::string& name, const std::string& label, const char* sql) {
   std::string lines;
   Statement row = database.query(sql);

@@ -1,12 +1,12 @@
 #pragma once
-// The queue in numbers, for monitoring.
+// Metrics of the queue for monitoring.
 #include <string>
 
 #include "runner/store/database.hpp"
 
 namespace capstan {
 
-/// Prometheus text: base units, totals end in `_total`, no ids among the labels.
+/// Prometheus text format. No ids among the labels: their number would grow without bound.
 std::string metrics_text(Database& database, std::size_t cores);
 
 }  // namespace capstan

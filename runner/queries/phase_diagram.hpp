@@ -1,5 +1,5 @@
 #pragma once
-// The answer of a study at a glance: the motion over two of its axes.
+// Phase diagram of a study: the motion over two of its axes.
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,32 +15,32 @@ struct PhaseAxis {
   std::vector<nlohmann::json> values;  ///< as asked for; ascending, if they are numbers
 };
 
-/// What the points at one place of the diagram say: one point, or more in a study of an earlier program.
+/// The points at one place of the diagram: one, or more if an older version stored the study.
 struct PhaseCell {
-  std::string motion;  ///< the motion of all its cases; "mixed" if they differ, "" as long as there is none
-  std::string state;   ///< the state of all its cases; "mixed" if they differ
+  std::string motion;  ///< common motion of its cases; "mixed" if they differ, "" before there is one
+  std::string state;   ///< common state of its cases; "mixed" if they differ
   std::vector<std::string> cases;  ///< ids
 };
 
 struct PhaseDiagram {
   PhaseAxis x;
-  PhaseAxis y;  ///< without parameter and with one value, null, if the study has one axis
-  std::map<std::string, nlohmann::json> at;  ///< where the other axes are fixed
-  std::vector<std::vector<PhaseCell>> rows;  ///< one a y value, one cell an x value
+  PhaseAxis y;                               ///< of a study with one axis: no parameter, one value, null
+  std::map<std::string, nlohmann::json> at;  ///< values of the other axes
+  std::vector<std::vector<PhaseCell>> rows;  ///< one row for each y value, one cell for each x value
 };
 
-/// Which diagram of a study is wanted.
+/// The diagram that a client asks for.
 struct DiagramRequest {
-  std::string x, y;             ///< axes; by default the first two that have more than one value
-  std::vector<std::string> at;  ///< "E_b=0.015": the value at which another axis is fixed
+  std::string x, y;             ///< drawn axes; "": the first that has more than one value
+  std::vector<std::string> at;  ///< "E_b=0.015": value of an axis that is not drawn
 };
 
 struct ParsedDiagram {
-  std::optional<PhaseDiagram> value;  ///< engaged when issues is empty
+  std::optional<PhaseDiagram> value;  ///< present if there are no issues
   Issues issues;                      ///< at "x", "y" or "at", with the possible values
 };
 
-/// \param study  as find_study gives it, with one axis or more
+/// \param study  as find_study returns it, with one axis or more
 ParsedDiagram phase_diagram(const nlohmann::ordered_json& study, const std::vector<PointMotion>& points,
                             const DiagramRequest& wanted = {});
 

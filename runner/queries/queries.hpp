@@ -1,18 +1,18 @@
 #pragma once
-// What people and programs ask of the database, as the JSON that answers them.
+// Answers of the HTTP API about studies and cases, read from the database, as JSON.
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "runner/queries/case_filter.hpp"
 #include "runner/store/database.hpp"
 #include "solver/case/parse.hpp"
 
 namespace capstan {
 
-/// A page ends early when its items have as many bytes of JSON as this.
+/// A page ends early when its items exceed this size, in bytes of JSON.
 inline constexpr std::size_t kPageBytes = 1 << 20;
 
 /// A part of a list: at most `limit` items, those that come after the item at `after`.
@@ -30,20 +30,16 @@ struct Page {
 /// The studies, the newest first. Long descriptions are cut.
 Page list_studies(Database& database, const PageRequest& wanted);
 
-/// One study: its axes, the number of its points, how many of its distinct cases are in which state and how
-/// many of its points are of which motion, and its progress from 0 to 1.
+/// One study: axes, number of points, number of distinct cases in each state, number of points of each
+/// motion, and progress from 0 to 1. Nothing if there is no such study.
 std::optional<nlohmann::ordered_json> find_study(Database& database, const std::string& study_id);
 
-/// Conditions on points, all to be met: {"motion", "tumbling"}, {"state", "done"}, or a parameter and its
-/// value: what was asked for, where the parameter is an axis; else what the case has, or the base's word for
-/// it.
-using CaseFilter = std::vector<std::pair<std::string, std::string>>;
-
-/// The points of a study with their cases, in the study's order. The filter has been checked.
+/// The points of a study with their cases, in the order of the study.
+/// \param filter  validated: known states, motions and parameters
 Page find_cases(Database& database, const std::string& study_id, const CaseFilter& filter,
                 const PageRequest& wanted);
 
-/// What a phase diagram needs to know of a point.
+/// A point as the phase diagram needs it.
 struct PointMotion {
   std::string case_id;
   std::string state;
@@ -58,9 +54,9 @@ std::optional<nlohmann::ordered_json> find_case(Database& database, const std::s
 /// {"kt": [..], "D_xy": [..], …}: the recorded times of a case; nothing if there is no such case.
 std::optional<nlohmann::ordered_json> find_history(Database& database, const std::string& case_id);
 
-/// {"studies": [..], "cases": [..]}: the ids that `word` may stand for, at most twenty each. A study: the one
-/// with this id, else those of this name, else those whose id begins so. A case: the one with this id, else
-/// those whose id begins so.
+/// {"studies": [..], "cases": [..]}: the ids that `word` may abbreviate, at most twenty each. Studies: the
+/// one with this id, else those with this name, else those whose id begins with it. Cases: those whose id
+/// begins with it.
 nlohmann::ordered_json find_ids(Database& database, const std::string& word);
 
 }  // namespace capstan

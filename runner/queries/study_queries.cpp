@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string_view>
 
 #include "runner/queue/case_state.hpp"
 #include "runner/store/timestamp.hpp"
@@ -13,35 +15,55 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The study's columns; the counts begin at the ninth.
 constexpr const char* kColumns =
-    "SELECT s.id, name, description, submitted_at, cancelled_at, axes, priority, is_paused,"
-    " queued, running, done, failed, diverged, cancelled, tumbling, tank_treading, transition, undecided,"
-    " s.number, cost_total, cost_ended, points, notes FROM studies s JOIN schedule USING (number) ";
-constexpr int kFirstCount = 8;
-constexpr int kNumber = 18, kCostTotal = 19, kCostEnded = 20, kPoints = 21, kNotes = 22;
+    "SELECT s.id, name, description, submitted_at, cancelled_at, axes, notes, priority, is_paused, s.number"
+    " FROM studies s JOIN schedule USING (number) ";
+constexpr int kNumber = 9;
 
-/// Number of the study's cases by state, all states listed.
-ordered_json count_states(const Statement& row) {
+/// Number and summed cost (estimated seconds of one core) of the cases that a word of the tallies stands for.
+struct Tally {
+  std::int64_t count = 0;
+  double cost = 0;
+};
+
+class Tallies {
+ public:
+  Tallies(Database& database, const std::string& study_id) {
+    Statement row = database.query("SELECT word, count, cost FROM tallies WHERE study_id = ?", study_id);
+    while (row.step()) tallies_[row.text(0)] = {row.integer(1), row.real(2)};
+  }
+
+  Tally of(std::string_view word) const {
+    const auto found = tallies_.find(word);
+    return found == tallies_.end() ? Tally{} : found->second;
+  }
+
+ private:
+  std::map<std::string, Tally, std::less<>> tallies_;
+};
+
+/// Number of the study's distinct cases, in total and in each state.
+ordered_json count_states(const Tallies& tallies) {
   ordered_json counts = {{"total", 0}};
   std::int64_t total = 0;
-  int column = kFirstCount;
   for (const CaseState state : kCaseStates) {
-    counts[std::string(to_string(state))] = row.integer(column);
-    total += row.integer(column++);
+    const std::int64_t count = tallies.of(to_string(state)).count;
+    counts[std::string(to_string(state))] = count;
+    total += count;
   }
   counts["total"] = total;
   return counts;
 }
 
-ordered_json count_motions(const Statement& row) {
+/// Number of the study's points of each motion.
+ordered_json count_motions(const Tallies& tallies) {
   ordered_json counts;
-  int column = kFirstCount + static_cast<int>(kCaseStates.size());
-  for (const Motion motion : kMotions) counts[std::string(to_string(motion))] = row.integer(column++);
+  for (const Motion motion : kMotions)
+    counts[std::string(to_string(motion))] = tallies.of(to_string(motion)).count;
   return counts;
 }
 
-/// The cost behind the cases that have begun and not ended.
+/// Cost of the computed parts of the cases that have begun and not ended.
 double cost_begun(Database& database, const std::string& study_id) {
   Statement row = database.query(
       "SELECT total(cost * min(1, kt / json_extract(document, '$.until.kt'))"
@@ -52,18 +74,27 @@ double cost_begun(Database& database, const std::string& study_id) {
   return row.real(0);
 }
 
-/// The share of the study's cost that is behind it, rounded: sums of costs are not exact. What was cancelled
-/// is missing, also when the study has ended.
-double progress(Database& database, const std::string& study_id, const ordered_json& cases,
-                const Statement& row) {
-  if (cases["queued"] == 0 && cases["running"] == 0 && cases["cancelled"] == 0) return 1;
+/// Computed share of the study's cost, from 0 to 1. Cancelled cases count as not computed, also after the end
+/// of the study. Rounded, because the sums of costs are not exact.
+double progress(Database& database, const std::string& study_id, const Tallies& tallies) {
+  double total = 0, ended = 0;
+  std::int64_t missing = 0;
+  for (const CaseState state : kCaseStates) {
+    const Tally tally = tallies.of(to_string(state));
+    total += tally.cost;
+    if (has_ended(state) && state != CaseState::cancelled)
+      ended += tally.cost;
+    else
+      missing += tally.count;
+  }
+  if (missing == 0) return 1;
   constexpr double kDigits = 1e6;
-  const double share = (row.real(kCostEnded) + cost_begun(database, study_id)) / row.real(kCostTotal);
+  const double share = (ended + cost_begun(database, study_id)) / total;
   return std::clamp(std::round(kDigits * share) / kDigits, 0.0, 1.0);
 }
 
-/// queued, running, paused, done or cancelled. What a paused study still runs does not change that it is
-/// paused; nor does a cancellation that came after all cases had ended change that they are done.
+/// queued, running, paused, done or cancelled. A paused study whose last cases still run is paused; a study
+/// that was cancelled after all its cases had ended is done.
 const char* state_of(const ordered_json& study) {
   const ordered_json& cases = study["cases"];
   const bool has_ended = cases["queued"] == 0 && cases["running"] == 0;
@@ -75,28 +106,29 @@ const char* state_of(const ordered_json& study) {
 
 ordered_json study_of(Database& database, const Statement& row) {
   const std::string id = row.text(0);
+  const Tallies tallies(database, id);
   ordered_json study = {{"id", id}, {"name", row.text(1)}, {"description", row.text(2)}};
   study["submitted_at"] = timestamp(row.integer(3));
   study["cancelled"] = !row.is_null(4);
-  study["paused"] = row.integer(7) != 0;
-  study["priority"] = row.integer(6);
+  study["paused"] = row.integer(8) != 0;
+  study["priority"] = row.integer(7);
   study["axes"] = ordered_json::parse(row.text(5));
-  study["notes"] = ordered_json::parse(row.text(kNotes));
-  study["points"] = row.integer(kPoints);
-  study["cases"] = count_states(row);
+  study["notes"] = ordered_json::parse(row.text(6));
+  study["points"] = tallies.of("points").count;
+  study["cases"] = count_states(tallies);
   study["state"] = state_of(study);
-  study["motions"] = count_motions(row);
-  study["progress"] = progress(database, id, study["cases"], row);
+  study["motions"] = count_motions(tallies);
+  study["progress"] = progress(database, id, tallies);
   return study;
 }
 
-/// The beginning of a long description; the whole one is in the study itself.
+/// Cuts a long description; find_study gives all of it.
 void shorten(ordered_json& description) {
   constexpr std::size_t kMax = 200;
   std::string& text = description.get_ref<std::string&>();
   if (text.size() <= kMax) return;
   std::size_t end = kMax;
-  while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // not within a character
+  while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // not within a UTF-8 sequence
   text = text.substr(0, end) + "...";
 }
 

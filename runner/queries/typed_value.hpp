@@ -1,5 +1,5 @@
 #pragma once
-// Values as people type them in a filter or a command: 0.25, skalak, {"dx": 0.2}.
+// Values that a person types in a filter or a command: 0.25, skalak, {"dx": 0.2}.
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace capstan {
 
-/// The number that the whole text is.
+/// The number if the whole text is one.
 template <class Number>
 std::optional<Number> number_in(const std::string& text) {
   Number number = 0;
@@ -17,11 +17,11 @@ std::optional<Number> number_in(const std::string& text) {
   return number;
 }
 
-/// Whether the text stands for the value. Numbers are equal when they agree to nine digits: nobody types
-/// more.
+/// Whether the text stands for the value. Numbers agree if they differ by less than 1e-9 of their size: a
+/// typed 0.333333333 stands for 1/3.
 bool means(const std::string& text, const nlohmann::json& value);
 
-/// Which of the values the text stands for; if more than one agrees to nine digits, the one that is equal.
+/// Index of the value that the text stands for: the exactly equal number, else the first that agrees.
 std::optional<std::size_t> find_typed(const std::vector<nlohmann::json>& values, const std::string& text);
 
 }  // namespace capstan

@@ -12,7 +12,7 @@ std::int64_t number(Statement row) {
   return row.integer(0);
 }
 
-/// One reason a study that wants the case.
+/// Adds one reason for each study that contains the case.
 void add_reason_of_study(Database& database, const Statement& study, std::size_t cores,
                          ordered_json& reasons) {
   const std::string id = "study " + study.text(0);
@@ -22,7 +22,7 @@ void add_reason_of_study(Database& database, const Statement& study, std::size_t
       database.query("SELECT count(DISTINCT case_id) FROM waiting WHERE study_number = ? AND position < ?",
                      study.integer(3), study.integer(4)));
   const auto others = number(database.query(
-      "SELECT count(*) FROM schedule WHERE queued > 0 AND is_paused = 0 AND number <> ?1 AND priority >="
+      "SELECT count(*) FROM schedule WHERE waiting > 0 AND is_paused = 0 AND number <> ?1 AND priority >="
       " (SELECT priority FROM schedule WHERE number = ?1)",
       study.integer(3)));
   const auto running = number(database.query("SELECT count(*) FROM cases WHERE state = 'running'"));

@@ -1,5 +1,5 @@
 #pragma once
-// What a case or the cases of a study wait for, or why they are where they are.
+// Reasons of the state of a case, or of the cases of a study, for people.
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace capstan {
 
-/// {"id", "state", "reasons": ["..."]}, for people; nothing if there is no such case.
-/// \param cores  on which the daemon runs cases
-/// \param obstacle  what keeps all cases from being started, or ""
+/// {"id", "state", "reasons": ["..."]}; nothing if there is no such case.
+/// \param cores  number of cases that the daemon runs at once
+/// \param obstacle  what prevents the start of any case, or ""
 std::optional<nlohmann::ordered_json> why(Database& database, const std::string& case_id, std::size_t cores,
                                           const std::string& obstacle = "");
 
-/// {"id", "state", "reasons": [{"cases": 3, "reason": "..."}]}: how many of a study's cases are where they
-/// are for the same reason; nothing if there is no such study.
+/// {"id", "state", "reasons": [{"cases": 3, "reason": "..."}]}: the study's cases grouped by reason. Nothing
+/// if there is no such study.
 std::optional<nlohmann::ordered_json> why_study(Database& database, const std::string& study_id,
                                                 const std::string& obstacle = "");
 

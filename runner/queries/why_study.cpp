@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Messages that differ in numbers alone say the same of other cases.
+/// The message with # for each run of digits: messages that differ in numbers alone are one reason.
 std::string without_numbers(const std::string& message) {
   std::string text;
   for (const char c : message) {
@@ -23,14 +23,14 @@ std::string without_numbers(const std::string& message) {
   return text;
 }
 
-/// Cases that share a reason, in the order in which the reasons were found.
+/// Number of cases for each reason, in the order in which the reasons were added.
 class Reasons {
  public:
   void add(std::int64_t cases, const std::string& reason) {
     if (cases > 0) list_.push_back({{"cases", cases}, {"reason", reason}});
   }
 
-  /// \param example  a case of which this message is true
+  /// \param example  a case with this message
   void add_message(const std::string& state, const std::string& message, const std::string& example) {
     const auto [kind, is_new] = kinds_.try_emplace(state + without_numbers(message), list_.size());
     if (is_new) {
@@ -45,7 +45,7 @@ class Reasons {
 
  private:
   ordered_json list_ = ordered_json::array();
-  std::map<std::string, std::size_t> kinds_;  ///< where they stand in the list
+  std::map<std::string, std::size_t> kinds_;  ///< index in the list, by state and message without numbers
 };
 
 std::string why_it_waits(const ordered_json& study, const std::string& obstacle) {
@@ -55,7 +55,7 @@ std::string why_it_waits(const ordered_json& study, const std::string& obstacle)
   return "queued until a core is free and it is this study's turn";
 }
 
-/// The cases in this state by what is said of them. \return how many those are
+/// Adds the cases in this state that have a message. Returns their number.
 std::int64_t add_messages(Database& database, const std::string& study_id, const char* state,
                           Reasons& reasons) {
   std::int64_t cases = 0;

@@ -37,7 +37,7 @@ RunOutcome outcome_of(const ProcessEnd& end, const RunDirectory& directory) {
   if (end.how == ProcessEnd::How::signalled) return {RunEnding::crashed, with_log(describe(end), directory)};
   switch (run_ending_of(end.number)) {
     case RunEnding::done:
-      return {RunEnding::crashed, with_log("it ended well, but left no result.json", directory)};
+      return {RunEnding::crashed, with_log("exit code 0, but no result.json", directory)};
     case RunEnding::failed:
       return {RunEnding::failed, with_log("the solver refused the case", directory)};
     case RunEnding::diverged:

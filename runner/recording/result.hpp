@@ -1,5 +1,5 @@
 #pragma once
-// What came of a run, as the database keeps it.
+// Result of a run as a row of the database.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -7,6 +7,7 @@
 
 namespace capstan {
 
+/// Stores the result of a case in place of an earlier one.
 /// \param result  result.json of the run
 void store_result(Database& database, const std::string& case_id, const nlohmann::ordered_json& result);
 

@@ -148,15 +148,19 @@ void Database::prepare_for_writing() {
 
 void Database::bring_to_present_format() {
   Transaction transaction(*this);
-  const auto formats = queue_formats();
+  const auto steps = migrations();
   const std::size_t found = format_of(*this);
-  if (found > formats.size())
+  if (found > steps.size())
     throw DatabaseError("the database has format " + std::to_string(found) + ", this program reads format " +
-                        std::to_string(formats.size()));
-  if (found == formats.size()) return;
-  for (std::size_t format = found; format < formats.size(); ++format) execute_script(formats[format]);
-  execute_script(kRecount);
-  execute_script(("PRAGMA user_version = " + std::to_string(formats.size())).c_str());
+                        std::to_string(steps.size()));
+  if (found == steps.size()) return;
+  if (found == 0) {
+    execute_script(kQueueTables);
+  } else {
+    for (const char* step : steps.subspan(found)) execute_script(step);
+    execute_script(kRecount);
+  }
+  execute_script(("PRAGMA user_version = " + std::to_string(steps.size())).c_str());
   transaction.commit();
 }
 

@@ -1,14 +1,18 @@
 #pragma once
-// The database's tables, and how they came to be.
+// SQL of the database's tables, embedded from schema/. The format of a database is its user_version; 0: it is
+// new.
 #include <span>
 
 namespace capstan {
 
-/// SQL that leads from format N - 1 to format N, at index N - 1 (schema/queue_N.sql). A new database runs
-/// through all of them, an older one through those that it lacks; its format is its user_version.
-std::span<const char* const> queue_formats();
+/// Makes the tables of a new database (schema/queue.sql).
+extern const char* const kQueueTables;
 
-/// Makes the sums agree with what they sum up (schema/recount.sql).
+/// Steps for older databases: that at index N - 1 leads from format N - 1 to format N
+/// (schema/migrations/format_N.sql). Their number is the present format.
+std::span<const char* const> migrations();
+
+/// Fills the counts from the tables that they sum up (schema/recount.sql).
 extern const char* const kRecount;
 
 }  // namespace capstan

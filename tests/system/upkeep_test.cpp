@@ -66,7 +66,7 @@ TEST_F(UpkeepTest, DoctorFindsNothingWhereAllIsWell) {
 }
 
 TEST_F(UpkeepTest, DoctorRepairsWrongSums) {
-  change("UPDATE schedule SET done = 7");
+  change("UPDATE tallies SET count = 7 WHERE word = 'done'");
   expect_error_that_is_repaired("are not those of its cases");
 }
 

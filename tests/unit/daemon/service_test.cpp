@@ -713,8 +713,7 @@ TEST_F(ServiceTest, DaemonKilledBetweenTheRowsAndTheDirectoriesOfADeletedStudyHa
   service_->remove(id);
   {
     Database database(data_.database(), Database::Access::write);
-    JobQueue queue(database, clock_);
-    EXPECT_EQ(queue.delete_unwanted(10).size(), 1u);
+    EXPECT_EQ(delete_unwanted_cases(database, 10).size(), 1u);
   }
   restart();
   EXPECT_TRUE(std::filesystem::exists(directory_of("run 1").path()));

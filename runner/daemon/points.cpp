@@ -1,4 +1,4 @@
-#include "runner/queue/points.hpp"
+#include "runner/daemon/points.hpp"
 
 namespace capstan {
 

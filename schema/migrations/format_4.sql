@@ -1,7 +1,7 @@
--- Format 4: how far a study is, weighed by what its cases cost. And a case that stands at two places of a study,
--- where another was replaced by it, counts twice in all its sums.
+-- Format 4: progress of a study is weighted by the cost of its cases. A case at two positions of a study, after a
+-- replacement, counts twice in all sums.
 
-ALTER TABLE cases ADD COLUMN cost REAL NOT NULL DEFAULT 0;   -- about the seconds of one core; 0: not known yet
+ALTER TABLE cases ADD COLUMN cost REAL NOT NULL DEFAULT 0;   -- estimated seconds of one core; 0: not estimated yet
 CREATE INDEX cases_without_cost ON cases (id) WHERE cost = 0;   -- empty after the first start
 
 ALTER TABLE schedule ADD COLUMN cost_total REAL NOT NULL DEFAULT 0;   -- of all its cases

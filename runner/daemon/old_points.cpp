@@ -1,6 +1,6 @@
 #include <optional>
 
-#include "runner/queue/points.hpp"
+#include "runner/daemon/points.hpp"
 #include "runner/study/study.hpp"
 
 namespace capstan {
@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::string> studies_without_values(Database& database) {
+std::vector<std::string> studies_without_points(Database& database) {
   std::vector<std::string> ids;
   Statement row = database.query("SELECT DISTINCT study_id FROM study_cases WHERE asked IS NULL");
   while (row.step()) ids.push_back(row.text(0));
@@ -29,12 +29,13 @@ json column_of_study(Database& database, const char* column, const std::string& 
   return json::parse(row.text(0));
 }
 
-/// The study again, if it is read today as it was then: so many cases, in the same order.
-std::optional<Study> read_again(const json& document, std::size_t cases) {
+/// The study of a stored document; nothing if it resolves to another number of cases today.
+std::optional<Study> parse_stored_study(const json& document, std::size_t cases) {
   ParsedStudy parsed = parse_study(document);
   return parsed.value && parsed.value->cases.size() == cases ? std::move(parsed.value) : std::nullopt;
 }
 
+/// One point for each of the study's, with the case of its stored row.
 std::vector<Point> points_of(const Study& study, const std::vector<Point>& stored) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < study.points.size(); ++i) {
@@ -45,7 +46,7 @@ std::vector<Point> points_of(const Study& study, const std::vector<Point>& store
   return points;
 }
 
-/// The base, and on each axis what the case has.
+/// Values asked for at a point, reconstructed: the base, and on each axis the value of the case.
 json asked_by_case(Database& database, const Point& point, const json& base, const json& axes) {
   Statement row = database.query("SELECT document FROM cases WHERE id = ?", point.case_id);
   row.step();
@@ -63,7 +64,7 @@ void derive(Database& database, const std::string& study_id) {
   const std::vector<Point> stored = points_of_study(database, study_id);
   const json document = column_of_study(database, "document", study_id);
   std::vector<Point> points = stored;
-  if (const auto study = read_again(document, stored.size())) {
+  if (const auto study = parse_stored_study(document, stored.size())) {
     points = points_of(*study, stored);
     database.execute("UPDATE studies SET axes = ?, notes = ? WHERE id = ?", listed(study->axes).dump(),
                      json(study->notes).dump(), study_id);
@@ -78,7 +79,7 @@ void derive(Database& database, const std::string& study_id) {
 }  // namespace
 
 void derive_old_points(Database& database) {
-  for (const std::string& study_id : studies_without_values(database)) {
+  for (const std::string& study_id : studies_without_points(database)) {
     Transaction transaction(database);
     derive(database, study_id);
     transaction.commit();

@@ -1,15 +1,15 @@
--- Format 5: a row of study_cases is a point of the study, with the values that were asked for there. Points that
--- resolve to the same case are all rows; the case is computed once.
+-- Format 5: a row of study_cases is a point of the study, with the values asked for. Several points may resolve to one
+-- case: it is computed once.
 
 ALTER TABLE study_cases ADD COLUMN asked TEXT;   -- {"Ca": 0.25, "fluid": "auto", ..}; NULL until derived for an older study
-ALTER TABLE studies ADD COLUMN notes TEXT NOT NULL DEFAULT '[]';   -- sentences: what its author may not expect
+ALTER TABLE studies ADD COLUMN notes TEXT NOT NULL DEFAULT '[]';   -- sentences for the author: consequences of the document that may surprise
 CREATE INDEX points_without_values ON study_cases (study_id) WHERE asked IS NULL;   -- empty after the first start
 
--- Counts by state and sums of costs are of the study's distinct cases, counts by motion of its points. What was
--- cancelled has cost nothing and is not behind the study.
+-- Counts by state and sums of costs concern the study's distinct cases, counts by motion its points. Cancelled cases
+-- do not count as computed.
 ALTER TABLE schedule ADD COLUMN points INTEGER NOT NULL DEFAULT 0;
 
--- A study is known by its document in one spelling of numbers from now on.
+-- Equal documents that write their numbers differently are one study from now on: stored keys no longer apply.
 DELETE FROM idempotency_keys;
 
 DROP TRIGGER case_joins_study;
@@ -86,12 +86,12 @@ CREATE TRIGGER cost_is_known AFTER UPDATE OF cost ON cases WHEN NEW.cost <> OLD.
     WHERE study_id IN (SELECT study_id FROM study_cases WHERE case_id = NEW.id);
 END;
 
--- Runs that failed on the way have no motion; older solvers gave them that of their history.
+-- Runs that failed have no motion; older solvers labelled them by their history.
 UPDATE results SET motion = NULL
   WHERE motion IS NOT NULL AND case_id IN (SELECT id FROM cases WHERE state <> 'done');
 
--- Cases by state and attempts by ending, counted as they change: to count a million for each question takes a third
--- of a second. Attempts of deleted cases stay counted.
+-- Cases by state and attempts by ending over all studies, for monitoring. Counting a million rows for each request
+-- would take a third of a second. Attempts of deleted cases stay counted.
 CREATE TABLE totals (
   what  TEXT NOT NULL,   -- cases, attempts
   name  TEXT NOT NULL,   -- the state, the ending
@@ -115,7 +115,7 @@ BEGIN
   INSERT INTO totals VALUES ('attempts', NEW.ending, 1) ON CONFLICT DO UPDATE SET count = count + 1;
 END;
 
--- Cases of deleted studies that no study wants any more. First their rows are deleted, then their run directories, and
--- only then their row here: so a daemon that is killed in between leaves nothing behind.
+-- Cases of deleted studies that no other study contains. Their rows are deleted first, then their run directories, then
+-- their row here: a daemon that is killed in between continues with the rest.
 CREATE TABLE unwanted_cases (case_id TEXT PRIMARY KEY) WITHOUT ROWID;
 CREATE INDEX replaced_cases ON study_cases (replaces) WHERE replaces IS NOT NULL;

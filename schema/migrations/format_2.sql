@@ -1,9 +1,8 @@
--- Format 2: what the queue would otherwise count again and again, kept by the database itself.
--- Triggers keep it, so that no statement, of whichever program, can leave it wrong.
+-- Format 2: a schedule of turns, and counts that triggers keep as their cases change.
 
-ALTER TABLE cases ADD COLUMN not_before INTEGER NOT NULL DEFAULT 0;   -- after a crash: when to try again
+ALTER TABLE cases ADD COLUMN not_before INTEGER NOT NULL DEFAULT 0;   -- end of the back-off after a crash
 
--- One row a study: how its turn comes, and how many of its cases are in which state and of which motion.
+-- One row for each study: its turn, and the number of its cases in each state and of each motion.
 CREATE TABLE schedule (
   number        INTEGER PRIMARY KEY REFERENCES studies (number),
   study_id      TEXT NOT NULL UNIQUE REFERENCES studies (id),
@@ -24,7 +23,7 @@ CREATE TABLE schedule (
 CREATE INDEX turns ON schedule (priority DESC, served) WHERE queued > 0 AND is_paused = 0;
 CREATE INDEX schedule_by_served ON schedule (served);
 
--- The queued cases of each study that still wants them, in its order.
+-- The queued cases of the studies that are not cancelled.
 CREATE TABLE waiting (
   study_number INTEGER NOT NULL REFERENCES studies (number),
   position     INTEGER NOT NULL,
@@ -34,7 +33,7 @@ CREATE TABLE waiting (
 ) WITHOUT ROWID;
 CREATE INDEX waiting_by_case ON waiting (case_id);
 
--- What has begun and not ended: the only cases that move a study's progress between two ends.
+-- Cases that are partly computed: progress of a study counts their computed part.
 CREATE INDEX cases_begun ON cases (id) WHERE kt > 0 AND state IN ('queued', 'running');
 
 CREATE TRIGGER study_is_scheduled AFTER INSERT ON studies BEGIN
@@ -100,7 +99,7 @@ CREATE TRIGGER motion_is_forgotten AFTER DELETE ON results WHEN OLD.motion IS NO
     WHERE study_id IN (SELECT study_id FROM study_cases WHERE case_id = OLD.case_id);
 END;
 
--- POST /v1/studies with an Idempotency-Key: which document the key stood for.
+-- POST /v1/studies with an Idempotency-Key: the document that came with the key.
 CREATE TABLE idempotency_keys (
   key           TEXT PRIMARY KEY,
   document_hash TEXT NOT NULL,

@@ -1,8 +1,8 @@
--- Format 3: another case can take a case's place in a study: the same at a finer fidelity, or of a later numerics version.
+-- Format 3: a case of a study can be replaced by another: at a finer fidelity, or of a later numerics version.
 
-ALTER TABLE study_cases ADD COLUMN replaces TEXT;   -- the case that stood at this position before
+ALTER TABLE study_cases ADD COLUMN replaces TEXT;   -- the case of this position before
 
-ALTER TABLE cases ADD COLUMN numerics INTEGER NOT NULL DEFAULT 1;   -- the solver's version, a part of the id
+ALTER TABLE cases ADD COLUMN numerics INTEGER NOT NULL DEFAULT 1;   -- numerics version of the solver, part of the id
 
 CREATE TRIGGER case_leaves_study AFTER DELETE ON study_cases BEGIN
   UPDATE schedule SET
@@ -22,5 +22,5 @@ CREATE TRIGGER case_leaves_study AFTER DELETE ON study_cases BEGIN
     WHERE study_number = (SELECT number FROM studies WHERE id = OLD.study_id) AND position = OLD.position;
 END;
 
--- The same document asks for other results once the numerics have changed: then it is another study.
+-- The same document at another numerics version asks for other results: it is another study.
 UPDATE studies SET document_hash = '1:' || document_hash;

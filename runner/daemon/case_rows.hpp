@@ -1,0 +1,38 @@
+#pragma once
+// Cases as rows of the database.
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "runner/store/database.hpp"
+#include "solver/case/case.hpp"
+#include "solver/case/parse.hpp"
+
+namespace capstan {
+
+/// Queues the case if it is new or was cancelled. Returns its id.
+std::string add_case(Database& database, const Case& c);
+
+struct StoredCase {
+  std::string id;
+  nlohmann::json document;
+};
+
+/// \param rows  of a query for id and document
+std::vector<StoredCase> read_cases(Statement rows);
+
+/// Parses a document that an earlier version stored: keys that have no effect today are dropped.
+ParsedCase parse_stored_case(nlohmann::json document);
+
+/// Applies `change` to the cases of a query for id and document, in batches of one transaction each, until
+/// the query finds none: a change must take its case out of the query. The memory of a large database stays
+/// bounded, and a start that is killed continues where it was.
+/// \param sql  with one parameter: the size of a batch
+void change_in_batches(Database& database, const std::string& sql,
+                       const std::function<void(const StoredCase&)>& change);
+
+/// Estimates the cost of the cases that an earlier version stored without one.
+void estimate_missing_costs(Database& database);
+
+}  // namespace capstan

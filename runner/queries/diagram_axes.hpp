@@ -1,0 +1,17 @@
+#pragma once
+// The axes of a phase diagram: two are drawn, the others stand at one value.
+#include <nlohmann/json.hpp>
+
+#include "runner/queries/phase_diagram.hpp"
+#include "solver/case/parse.hpp"
+
+namespace capstan {
+
+/// A diagram with its axes and fixed values, without cells. What is wrong with the request is added to
+/// `issues`. \param study  as find_study returns it
+PhaseDiagram choose_axes(const nlohmann::ordered_json& study, const DiagramRequest& wanted, Issues& issues);
+
+/// \param given  {"parameter", "values"}
+PhaseAxis axis_from_json(const nlohmann::ordered_json& given);
+
+}  // namespace capstan
