@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 
 #include "runner/worker/timed_run.hpp"
@@ -65,6 +66,12 @@ std::vector<double> estimated_seconds(const std::vector<Case>& cases, const Case
     seconds.push_back(run_cost(c) * nearest.ratio);
   }
   return seconds;
+}
+
+double wall_seconds(const std::vector<double>& seconds, int cores) {
+  const double total = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  const double longest = *std::ranges::max_element(seconds);
+  return std::max(longest, total / cores + (cores > 1 ? longest / 2 : 0));
 }
 
 }  // namespace capstan

@@ -22,4 +22,8 @@ double time_by_short_run(const Case& c, double seconds);
 std::vector<double> estimated_seconds(const std::vector<Case>& cases,
                                       const CaseTimer& time = time_by_short_run);
 
+/// Expected wall time of cases that take `seconds` of one core each and run side by side on `cores` cores.
+/// When the queue is empty, cores wait for the last cases: on average for half of the longest one.
+double wall_seconds(const std::vector<double>& seconds, int cores);
+
 }  // namespace capstan

@@ -8,7 +8,6 @@
 #include <numeric>
 #include <set>
 
-#include "runner/render/table.hpp"
 #include "runner/study/shown_value.hpp"
 #include "runner/worker/bench_report.hpp"
 #include "runner/worker/cost_model.hpp"
@@ -45,30 +44,32 @@ std::set<std::size_t> columns_of_axes(const Study& study) {
   return columns;
 }
 
+nlohmann::ordered_json document_of(const nlohmann::ordered_json& rows, double core_seconds, int cores,
+                                   double wall) {
+  return {{"cases", rows}, {"core_seconds", core_seconds}, {"cores", cores}, {"seconds", wall}};
+}
+
+void print_text(const Study& study, const nlohmann::ordered_json& rows, double core_seconds, int cores,
+                double wall) {
+  BenchReport(std::cout, false).add(study.name + ": seconds of one core", rows, columns_of_axes(study));
+  std::cout << '\n'
+            << rows.size() << (rows.size() == 1 ? " case: " : " cases: ") << duration_in_words(core_seconds)
+            << " of one core, about " << duration_in_words(wall) << " on " << cores
+            << (cores == 1 ? " core\n" : " cores\n");
+}
+
 }  // namespace
 
 int estimate_study(const Study& study, int cores, bool json) {
   omp_set_num_threads(1);
   const std::vector<double> seconds = estimated_seconds(study.cases);
-  const double total = std::accumulate(seconds.begin(), seconds.end(), 0.0);
-  const double longest = *std::ranges::max_element(seconds);
-  // When the queue is empty, cores wait for the last cases: for half a case on average.
-  const double wall = std::max(longest, total / cores + (cores > 1 ? longest / 2 : 0));
+  const double core_seconds = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  const double wall = wall_seconds(seconds, cores);
   const nlohmann::ordered_json rows = case_rows(study, seconds);
-  if (json) {
-    std::cout << nlohmann::ordered_json{{"cases", rows},
-                                        {"core_seconds", total},
-                                        {"cores", cores},
-                                        {"seconds", wall}}
-                     .dump(2)
-              << '\n';
-    return kExitDone;
-  }
-  BenchReport(std::cout, false).add(study.name + ": seconds of one core", rows, columns_of_axes(study));
-  std::cout << '\n'
-            << seconds.size() << (seconds.size() == 1 ? " case: " : " cases: ") << duration_in_words(total)
-            << " of one core, about " << duration_in_words(wall) << " on " << cores
-            << (cores == 1 ? " core\n" : " cores\n");
+  if (json)
+    std::cout << document_of(rows, core_seconds, cores, wall).dump(2) << '\n';
+  else
+    print_text(study, rows, core_seconds, cores, wall);
   return kExitDone;
 }
 

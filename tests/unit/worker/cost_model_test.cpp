@@ -71,6 +71,14 @@ TEST(CostModel, EveryKindOfCaseIsMeasured) {
   EXPECT_EQ(kinds.size(), 4u);
 }
 
+TEST(WallTime, OfOneCoreIsTheSumOfAllCases) { EXPECT_EQ(wall_seconds({1, 2, 3}, 1), 6); }
+
+TEST(WallTime, IsAtLeastThatOfTheLongestCase) { EXPECT_EQ(wall_seconds({1, 2, 30}, 100), 30); }
+
+TEST(WallTime, OfSeveralCoresIncludesHalfOfTheLongestCase) {
+  EXPECT_EQ(wall_seconds(std::vector<double>(10, 4), 2), 20 + 2);
+}
+
 TEST(CostModel, ShortRunOfACaseYieldsAPositiveFiniteTime) {
   const double seconds = time_by_short_run(stokes_case(0.1), 0);
   EXPECT_GT(seconds, 0);
