@@ -1,4 +1,4 @@
-// Whole runs on the composite of grids: the same answer by all ways to it.
+// Whole runs on the composite grid: the same answer as on the uniform grid, on a quarter and on two threads.
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -17,7 +17,7 @@ std::string red_cell(const std::string& kt, const std::string& knobs) {
          kt + R"(}, "outputs": {"shapes_every": 0}, "fidelity": {"preset": "fast")" + knobs + "}}";
 }
 
-/// D_xy after each step of a run, on the composite or on the uniform grid.
+/// D_xy after each step of a run on the composite or the uniform grid.
 std::vector<double> deformations(bool is_uniform) {
   const Case c = testing::parsed_case(red_cell("2", R"(, "kdt": 0.05)"));
   const Icosphere sphere = make_icosphere(3);
@@ -58,7 +58,7 @@ TEST(CompositeRun, HasTheSameHistoryToTheLastBitOnOneThreadAndOnTwo) {
   EXPECT_EQ(alone, together);
 }
 
-// In a box this large momentum that is carried with the flow outweighs viscosity far from the capsule.
+// In a box this large, convection of momentum exceeds viscosity far from the capsule.
 TEST(CompositeRun, StaysStableInALargeBoxAndDeformsAsInASmallerOne) {
   const auto in_box = [](const std::string& box) {
     return testing::history_of(R"({"shape": "oblate", "aspect": 0.5, "Ca": 0.1, "until": {"kt": 3},

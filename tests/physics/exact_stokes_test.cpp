@@ -1,14 +1,14 @@
-// Exact Stokes flows around a unit sphere in a strain flow, through the whole of the lattice model:
+// Exact Stokes flows around a unit sphere in a straining flow, computed with all parts of the lattice model:
 // spreading, viscosity field, multigrid, interpolation.
 //
-// Let S = e_x e_y + e_y e_x; the shear flow's rate of strain is S/2. A sphere of inner viscosity V, with the
-// force F S n a unit of area on its surface, strains as u = alpha S x on the surface and inside: the
-// tractions 2 V alpha S n inside and (5/2 - 3 alpha) S n outside balance the force, so alpha = (5/2 + F) / (2
-// V + 3).
+// Let S = e_x e_y + e_y e_x; the rate of strain of the shear flow is S/2. Consider a sphere of viscosity
+// ratio V with the force F S n per unit area on its surface. The velocity inside and on the surface is u =
+// alpha S x. The tractions 2 V alpha S n inside and (5/2 - 3 alpha) S n outside balance the force, so that
+// alpha = (5/2 + F) / (2 V + 3).
 //
 // Spreading and interpolation both smooth the kink of the velocity at the surface over the width of the delta
-// function: an error of first order, which one step of Richardson's extrapolation takes away. What remains
-// stems from the box: its walls and periodic images at 6.4 cost 2.6 % (from 6.4 against 12.8).
+// function. This error is of first order; one Richardson extrapolation removes it. The rest is due to the
+// walls and periodic images of the box of 6.4: 2.6 %, measured against a box of 12.8.
 #include <gtest/gtest.h>
 
 #include "solver/fluid/quasisteady/quasisteady_flow.hpp"
@@ -39,7 +39,7 @@ double surface_strain(double V, double force, double dx) {
   return u.cwiseProduct(s).sum() / s.squaredNorm();
 }
 
-/// Relative errors at two spacings.
+/// Relative errors of alpha at two spacings.
 struct Errors {
   double coarse, fine;
   double extrapolated() const { return 2 * fine - coarse; }
@@ -50,7 +50,7 @@ Errors errors_of_drop(double V) {
   return {surface_strain(V, 0, 0.2) / exact - 1, surface_strain(V, 0, 0.1) / exact - 1};
 }
 
-/// Of what the force adds to the strain at V = 1.
+/// Relative errors, at two spacings, of the part of alpha that the force adds at V = 1.
 Errors errors_of_force() {
   const double exact = 1.0 / 5;
   return {(surface_strain(1, 1, 0.2) - 0.5) / exact - 1, (surface_strain(1, 1, 0.1) - 0.5) / exact - 1};

@@ -1,6 +1,6 @@
-// The neo-Hookean sphere at fidelity `fast` against boundary integrals and linear theory: what a user of that
-// preset may expect. The delta function's width of two cells, 0.4 a here, acts like a larger capsule, the
-// more the rounder it stays; the box of 12.8 a adds less than 1 %.
+// The accuracy of fidelity `fast`: a neo-Hookean sphere against boundary integrals and linear theory. The
+// half-width of the smoothed delta function, two cells or 0.4 a, has the effect of a larger capsule; the
+// effect is larger for a capsule that stays rounder. The box of 12.8 a adds less than 1 %.
 #include <gtest/gtest.h>
 
 #include <numbers>

@@ -1,4 +1,4 @@
-// Quasi-steady and transient flow are two routes to one answer when inertia is small.
+// The quasisteady and the transient model agree if inertia is small.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace capstan {
 namespace {
 
-/// A sphere until kt = 1, on a coarse grid.
+/// A run of a sphere to kt = 1 on a coarse grid.
 History sphere(const std::string& V, const std::string& Re, const std::string& flow) {
   return testing::history_of(R"({"Ca": 0.1, "V": )" + V + R"(, "Re": )" + Re +
                              R"(, "until": {"kt": 1}, "outputs": {"history_every": 0.1}, )" + flow + "}");
@@ -37,11 +37,11 @@ TEST(ModelsAgree, DifferenceOfTheModelsShrinksWithInertia) {
 }
 
 // Measured: 0.007.
-TEST(ModelsAgree, DeformationsDifferByLessThanTwoPercentWithAViscosityContrast) {
+TEST(ModelsAgree, DeformationsDifferByLessThanTwoPercentWithAViscosityRatio) {
   EXPECT_LT(difference("4", "0.05"), 0.02);
 }
 
-/// D_xy at kt = 1 of the transient flow, with the numbers' precision.
+/// D_xy at kt = 1 in the transient model, in single or double precision.
 double deformation(const std::string& precision) {
   return sphere("4", "0.05",
                 R"("fluid": "transient",

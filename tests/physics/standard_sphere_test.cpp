@@ -1,6 +1,6 @@
-// The neo-Hookean sphere at fidelity `standard`, the paper's resolution, against boundary integrals. Minutes
-// a case. The bands hold what the delta function's width of 0.2 a does, which is the more the rounder the
-// sphere stays, and the box of 12.8 a (+0.5 %).
+// The accuracy of fidelity `standard`, the paper's resolution: a neo-Hookean sphere against boundary
+// integrals. Each case takes minutes. The tolerances include the effect of the smoothed delta function's
+// width of 0.2 a, which is larger for a sphere that stays rounder, and that of the box of 12.8 a (+0.5 %).
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -11,7 +11,7 @@
 namespace capstan {
 namespace {
 
-/// Runs to `end` and compares D_xy wherever the reference has it, to a relative `band`.
+/// Runs to `end` and compares D_xy at the times of the reference, with a relative tolerance `band`.
 History expect_deformation(double Ca, double end, double band) {
   const auto& exact = reference::neo_hookean_sphere(Ca);
   const History history = testing::sphere_run(Ca, R"("standard")", end);

@@ -1,5 +1,5 @@
-// Capsules that are hard to move in time: stiff ones run at the defaults, thin ones that fold stop with a
-// remedy.
+// Stiff capsules, which need small time steps, run at the defaults. Thin capsules whose membrane folds stop
+// with a message that names a remedy.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ const std::string kThin =
     R"("shape": "oblate", "aspect": 0.59, "law": "skalak", "Ca": 1.03, "V": 0.153, "fluid": "stokes",
                              "until": {"kt": 3}, "fidelity": {"nodes": 162})";
 
-TEST(ThinCapsules, WhoseMembraneFoldsStopSoonAndSayWhatToChange) {
+TEST(ThinCapsules, WhoseMembraneFoldsStopSoonWithARemedy) {
   const FinishedRun stopped = run(R"({"C": 0, )" + kThin + "}");
   EXPECT_EQ(stopped.outcome.stop, Stop::diverged);
   EXPECT_THAT(stopped.outcome.message,
@@ -50,11 +50,11 @@ TEST(ThinCapsules, WhoseMembraneFoldsStopSoonAndSayWhatToChange) {
   EXPECT_LT(stopped.statistics.flow_iterations, 10000);
 }
 
-TEST(ThinCapsules, RunToTheEndWithWhatWasAdvised) {
+TEST(ThinCapsules, RunToTheEndWithTheRemedy) {
   EXPECT_EQ(run(R"({"C": 0.5, "E_b": 0.005, )" + kThin + "}").outcome.stop, Stop::reached_end);
 }
 
-TEST(QuasisteadyFlow, WithMuchInertiaStopsAndNamesTheTransientOne) {
+TEST(QuasisteadyFlow, WithMuchInertiaStopsAndNamesTheTransientModel) {
   const FinishedRun stopped = run(R"({"Ca": 0.1, "Re": 10, "fluid": "quasisteady", "until": {"kt": 1},
                               "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162}})");
   EXPECT_EQ(stopped.outcome.stop, Stop::diverged);

@@ -1,4 +1,4 @@
-// Whole runs in Stokes flow against exact solutions and another boundary integral code.
+// Whole runs with boundary integrals against exact solutions and another boundary integral code.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -34,7 +34,7 @@ TEST(StokesCapsule, SphereDeformsAsInAnotherCode) {
   EXPECT_NEAR(history.back().theta / pi, other.theta_over_pi, 0.002);
 }
 
-// Without bending the membrane wrinkles here: both codes go to E_b = 0 from 1e-3 and 2e-4.
+// Without bending the membrane wrinkles here. Both codes extrapolate to E_b = 0 from 1e-3 and 2e-4.
 TEST(StokesCapsule, SphereThatWouldWrinkleDeformsAsInAnotherCode) {
   const auto& other = reference::neo_hookean_sphere(0.05);
   const Record softer = stokes(R"("Ca": 0.05, "E_b": 0.0002)", 8, 2562).back();
@@ -43,7 +43,7 @@ TEST(StokesCapsule, SphereThatWouldWrinkleDeformsAsInAnotherCode) {
   EXPECT_NEAR(softer.theta / pi, other.theta_over_pi, 0.002);
 }
 
-TEST(StokesCapsule, SphereWithAViscousInsideDeformsAsInAnotherCode) {
+TEST(StokesCapsule, SphereWithAViscosityRatioDeformsAsInAnotherCode) {
   const Record last = stokes(R"("Ca": 0.05, "V": 5)", 10, 642).back();
   EXPECT_NEAR(last.D_xy, 0.1945, 0.005 * 0.1945);
   EXPECT_NEAR(last.theta / pi, 0.103, 0.002);
@@ -67,8 +67,8 @@ TEST(StokesCapsule, SpheroidThatHardlyDeformsTurnsWithJefferysPeriod) {
   EXPECT_NEAR(half_period(history), pi * 2.5, 0.001 * pi * 2.5);
 }
 
-// The lattice of the same fidelity tumbles here; a finer one tank-treads, as boundary integrals do on any
-// mesh.
+// The lattice of the same fidelity shows tumbling here. A finer lattice shows tank-treading, as boundary
+// integrals do with every mesh.
 TEST(DefaultFluid, TankTreadsWhereACoarseLatticeTumbles) {
   const Case c = testing::parsed_case(R"({"shape": "biconcave", "Ca": 0.13, "V": 3, "E_b": 0.002,
     "outputs": {"shapes_every": 0}, "fidelity": "fast"})");
@@ -79,8 +79,8 @@ TEST(DefaultFluid, TankTreadsWhereACoarseLatticeTumbles) {
   EXPECT_EQ(simulation.verdict().motion, Motion::tank_treading);
 }
 
-// Measured: edges are folded by 88 degrees between kt = 6.7 and 9.2 of each half-turn.
-TEST(StokesCapsule, WrinklesThatComeAndGoLeaveTheLabel) {
+// Measured: edges are folded by up to 88 degrees between kt = 6.7 and 9.2 of each half-turn.
+TEST(StokesCapsule, TemporaryWrinklesDoNotChangeTheLabel) {
   Simulation simulation(
       testing::parsed_case(R"({"shape": "oblate", "aspect": 0.5, "Ca": 0.1, "fluid": "stokes",
     "until": {"kt": 17}, "outputs": {"shapes_every": 0}, "fidelity": {"nodes": 642}})"));
@@ -97,7 +97,7 @@ struct Cell {
 };
 class RedBloodCell : public ::testing::TestWithParam<Cell> {};
 
-// Paper, Fig. 16. (0.4, 4) lies on the boundary, where small differences decide, and is left out.
+// Paper, Fig. 16. The point (0.4, 4) is left out: it lies on the boundary, where small differences decide.
 TEST_P(RedBloodCell, MovesAsInThePaper) {
   const Cell& cell = GetParam();
   Simulation simulation(testing::parsed_case(
