@@ -1,6 +1,7 @@
 // The accuracy of fidelity `standard`, the paper's resolution: a neo-Hookean sphere against boundary
-// integrals. Each case takes minutes. The tolerances include the effect of the smoothed delta function's
-// width of 0.2 a, which is larger for a sphere that stays rounder, and that of the box of 12.8 a (+0.5 %).
+// integrals. Each case takes minutes. The tolerances include two effects: the half-width of the smoothed
+// delta function, 0.2 a, acts like a larger capsule, more so if the sphere stays rounder; the box of 12.8 a
+// adds 0.5 %.
 #include <gtest/gtest.h>
 
 #include <numbers>
