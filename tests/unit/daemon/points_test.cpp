@@ -10,7 +10,7 @@ namespace {
 
 class PointsTest : public QueueFixture {};
 
-/// As an earlier program stored them: each case once, and not what was asked for.
+/// A version before format 5 stored each case once, without the values asked for.
 TEST_F(PointsTest, PointsOfAnOldStudyAreDerivedFromItsDocument) {
   const std::string id = submit(study_of_merged_points()).study_id;
   database_.execute("DELETE FROM study_cases WHERE position IN (1, 2, 4, 5)");
@@ -26,7 +26,7 @@ TEST_F(PointsTest, PointsOfAnOldStudyAreDerivedFromItsDocument) {
   EXPECT_EQ(tally(id, "queued"), 2);
 }
 
-TEST_F(PointsTest, PointsOfAnOldStudyThatIsReadOtherwiseTodayAreThoseOfItsCases) {
+TEST_F(PointsTest, PointsOfAnOldStudyWithAnInvalidDocumentAreThoseOfItsCases) {
   const std::string id = submit(two_cases_).study_id;
   database_.execute("UPDATE study_cases SET asked = NULL");
   database_.execute("UPDATE studies SET document = json_set(document, '$.base.colour', 'red')");

@@ -16,7 +16,7 @@ TEST_F(SubmitStudyTest, StudyIdIsItsNameInSmallLettersAndFourDigits) {
   EXPECT_THAT(submit(sample_study("Fig16a", {{"Ca", {0.1}}})).study_id, MatchesRegex("fig16a-[0-9a-f]{4}"));
 }
 
-TEST_F(SubmitStudyTest, SameStudyAgainIsTheSameStudyAndCostsNothing) {
+TEST_F(SubmitStudyTest, EqualStudyIsTheSameStudyAndAddsNoCases) {
   const Submission first = submit(two_cases_);
   const Submission second = submit(two_cases_);
   EXPECT_TRUE(first.is_new);
@@ -46,7 +46,7 @@ TEST_F(SubmitStudyTest, CancelledStudyThatIsSubmittedAgainIsQueuedAgain) {
   EXPECT_TRUE(queue_.claim());
 }
 
-TEST_F(SubmitStudyTest, KnownStudyKeepsItsCasesThoughThisProgramWouldNameThemOtherwise) {
+TEST_F(SubmitStudyTest, KnownStudyKeepsItsCasesEvenIfTheirIdsWouldDifferToday) {
   const std::string id = submit(two_cases_).study_id;
   Study other = two_cases_;
   for (Case& c : other.cases) c.V = 7;  // as if the canonical form had changed since
@@ -62,7 +62,7 @@ TEST_F(SubmitStudyTest, PausedStudyThatIsSubmittedAgainIsResumed) {
   EXPECT_FALSE(submit(two_cases_).is_resumed);
 }
 
-/// The client has not seen the answer and asks again: that is no second wish.
+/// A client that missed the answer repeats its request; it does not ask for the study to be resumed.
 TEST_F(SubmitStudyTest, RequestThatIsRepeatedUnderItsKeyResumesNothing) {
   const std::string id = submit(two_cases_, "key").study_id;
   queue_.pause(id, true);

@@ -37,10 +37,10 @@ std::vector<PointMotion> points_of_three_axes() {
   return points;
 }
 
-std::string fault_of(const ordered_json& study, const DiagramRequest& wanted) {
+std::string issue_of(const ordered_json& study, const DiagramRequest& wanted) {
   const ParsedDiagram parsed = phase_diagram(study, {}, wanted);
   return parsed.issues.size() == 1 ? parsed.issues[0].pointer + ": " + parsed.issues[0].message
-                                   : std::to_string(parsed.issues.size()) + " faults";
+                                   : std::to_string(parsed.issues.size()) + " issues";
 }
 
 TEST(PhaseDiagram, HasTheFirstAxisAcrossAndTheSecondUpwardsInAscendingOrder) {
@@ -58,8 +58,8 @@ TEST(PhaseDiagram, AxesMayBeChosen) {
   ASSERT_TRUE(diagram);
   EXPECT_EQ(diagram->x.parameter, "V");
   EXPECT_EQ(diagram->rows[0][1].motion, "tumbling");
-  EXPECT_EQ(fault_of(kStudy, {"C", "", {}}), "x: \"C\" is no axis of the study; its axes are: Ca, V");
-  EXPECT_EQ(fault_of(kStudy, {"Ca", "Ca", {}}), "y: is Ca like x; name another axis");
+  EXPECT_EQ(issue_of(kStudy, {"C", "", {}}), "x: \"C\" is no axis of the study; its axes are: Ca, V");
+  EXPECT_EQ(issue_of(kStudy, {"Ca", "Ca", {}}), "y: is Ca like x; name another axis");
 }
 
 TEST(PhaseDiagram, IsDrawnOverTheValuesThatWereAskedFor) {
@@ -90,18 +90,18 @@ TEST(PhaseDiagram, ThirdAxisIsFixedAtOneOfItsValues) {
   EXPECT_EQ(other->rows[0][1].motion, "tumbling");
 }
 
-TEST(PhaseDiagram, AxisThatIsNotFixedIsAFaultWithThePossibleValues) {
-  EXPECT_EQ(fault_of(kThreeAxes, {}),
+TEST(PhaseDiagram, AxisThatIsNotFixedIsAnIssueThatListsThePossibleValues) {
+  EXPECT_EQ(issue_of(kThreeAxes, {}),
             "at: E_b is not fixed: say at which value, as in at=E_b=0; it has: 0, 0.01");
-  EXPECT_EQ(fault_of(kThreeAxes, {"V", "E_b", {}}),
+  EXPECT_EQ(issue_of(kThreeAxes, {"V", "E_b", {}}),
             "at: Ca is not fixed: say at which value, as in at=Ca=0.25; it has: 0.25, 0.75");
-  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=3"}}), "at: E_b has no value 3; it has: 0, 0.01");
-  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "E_b=0.01"}}), "at: E_b is fixed twice");
-  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "Ca=0.25"}}),
+  EXPECT_EQ(issue_of(kThreeAxes, {"Ca", "V", {"E_b=3"}}), "at: E_b has no value 3; it has: 0, 0.01");
+  EXPECT_EQ(issue_of(kThreeAxes, {"Ca", "V", {"E_b=0", "E_b=0.01"}}), "at: E_b is fixed twice");
+  EXPECT_EQ(issue_of(kThreeAxes, {"Ca", "V", {"E_b=0", "Ca=0.25"}}),
             "at: Ca is drawn, so it cannot be fixed");
-  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "C=1"}}),
+  EXPECT_EQ(issue_of(kThreeAxes, {"Ca", "V", {"E_b=0", "C=1"}}),
             "at: \"C\" is no axis of the study; its axes are: Ca, V, E_b");
-  EXPECT_EQ(fault_of(kThreeAxes, {"Ca", "V", {"E_b=0", "E_b"}}),
+  EXPECT_EQ(issue_of(kThreeAxes, {"Ca", "V", {"E_b=0", "E_b"}}),
             "at: \"E_b\" must be AXIS=VALUE, as in E_b=0.015");
 }
 

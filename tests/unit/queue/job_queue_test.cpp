@@ -27,8 +27,8 @@ TEST_F(JobQueueTest, CasesAreClaimedInTheOrderOfSubmission) {
   EXPECT_NE(first->token, second->token);
 }
 
-/// The writer's last transaction shows how it was committed; 2 is FULL.
-TEST_F(JobQueueTest, PromisesWaitForTheDiskAndLeasesDoNot) {
+/// PRAGMA synchronous remains as the last transaction set it; 2 is FULL.
+TEST_F(JobQueueTest, AnsweredChangesAreSyncedAndLeasesAreNot) {
   const auto is_synced = [&] {
     Statement row = database_.query("PRAGMA synchronous");
     return row.step() && row.integer(0) == 2;
@@ -69,7 +69,7 @@ TEST_F(JobQueueTest, RenewedLeaseDoesNotExpire) {
   }
 }
 
-TEST_F(JobQueueTest, ExpiredLeaseGivesTheCaseToTheNextAndNotToTheLate) {
+TEST_F(JobQueueTest, HolderOfAnExpiredLeaseRecordsNothing) {
   submit(sample_study("one", {{"Ca", {0.25}}}));
   const auto late = queue_.claim();
   clock_.advance(JobQueue::kLease + 1ms);
@@ -85,7 +85,7 @@ TEST_F(JobQueueTest, ExpiredLeaseGivesTheCaseToTheNextAndNotToTheLate) {
   EXPECT_TRUE(queue_.end(*next, RunEnding::done, ""));
 }
 
-TEST_F(JobQueueTest, ExpiredLeaseOfARunThatIsKnownIsRenewed) {
+TEST_F(JobQueueTest, ExpiredLeaseOfASupervisedRunIsRenewed) {
   submit(sample_study("one", {{"Ca", {0.25}}}));
   const auto claim = queue_.claim();
   clock_.jump(24h);
@@ -102,7 +102,7 @@ TEST_F(JobQueueTest, ResultIsRecordedOnce) {
   EXPECT_EQ(state_of(claim->case_id), "done");
 }
 
-TEST_F(JobQueueTest, InterruptionIsNoCrash) {
+TEST_F(JobQueueTest, InterruptionsDoNotCountAsCrashes) {
   submit(sample_study("one", {{"Ca", {0.25}}}));
   for (int time = 0; time < 5; ++time)
     EXPECT_TRUE(queue_.end(*queue_.claim(), RunEnding::interrupted, "power cut"));
@@ -122,7 +122,7 @@ TEST_F(JobQueueTest, SecondCrashFailsTheCaseAndKeepsTheReason) {
   EXPECT_FALSE(queue_.claim());
 }
 
-TEST_F(JobQueueTest, CancelledStudyLeavesTheQueueAtOnceAndItsRunsAreMarked) {
+TEST_F(JobQueueTest, CancellationTakesQueuedCasesAtOnceAndIsRequestedForRunningOnes) {
   const std::string id = submit(two_cases_).study_id;
   const auto running = queue_.claim();
   EXPECT_FALSE(queue_.is_to_be_cancelled(*running));
@@ -165,7 +165,7 @@ TEST_F(JobQueueTest, RunningClaimsAreFoundAgainWithTheirHandles) {
   EXPECT_EQ(found[0].handle, "process 42");
 }
 
-TEST_F(JobQueueTest, CrashedCaseIsNotTriedAgainAtOnceAndHoldsNobodyUp) {
+TEST_F(JobQueueTest, CrashedCaseWaitsForItsBackOffWhileOthersAreStarted) {
   submit(two_cases_);
   const auto crashed = queue_.claim();
   queue_.end(*crashed, RunEnding::crashed, "killed by signal 9");
@@ -177,7 +177,7 @@ TEST_F(JobQueueTest, CrashedCaseIsNotTriedAgainAtOnceAndHoldsNobodyUp) {
   EXPECT_EQ(queue_.claim()->case_id, crashed->case_id);
 }
 
-TEST_F(JobQueueTest, BackOffEndsThoughTheClockWasSetBack) {
+TEST_F(JobQueueTest, BackOffEndsAlsoIfTheClockWasSetBack) {
   submit(sample_study("one", {{"Ca", {0.25}}}));
   queue_.end(*queue_.claim(), RunEnding::crashed, "killed by signal 9");
   EXPECT_FALSE(queue_.claim());
@@ -222,7 +222,7 @@ TEST_F(JobQueueTest, PausedStudyStartsNothingUnlessAnotherWantsIt) {
   EXPECT_EQ(nlohmann::json::parse(queue_.claim()->document)["Ca"], 0.25);
 }
 
-TEST_F(JobQueueTest, RetryQueuesTheFailedCasesAlone) {
+TEST_F(JobQueueTest, RetryQueuesOnlyFailedCases) {
   const std::string id = submit(two_cases_).study_id;
   const auto failed = queue_.claim();
   queue_.end(*failed, RunEnding::failed, "no memory");

@@ -54,7 +54,7 @@ TEST_F(OutcomeTest, PublishedResultCountsHoweverTheProcessEndedAfterwards) {
   EXPECT_EQ(outcome_of({}, RunDirectory(directory_.path())).ending, RunEnding::done);
 }
 
-TEST_F(OutcomeTest, RefusedCaseFailsWithWhatWasSaid) {
+TEST_F(OutcomeTest, RefusedCaseFailsWithItsLog) {
   write("log", "/V  is 0\n");
   const RunOutcome outcome = exited_with(2);
   EXPECT_EQ(outcome.ending, RunEnding::failed);
@@ -68,26 +68,26 @@ TEST_F(OutcomeTest, InterruptionGoesBackToTheQueue) {
 
 TEST_F(OutcomeTest, AnyOtherEndIsACrash) {
   EXPECT_EQ(exited_with(1).ending, RunEnding::crashed);
-  EXPECT_EQ(exited_with(0).ending, RunEnding::crashed);  // said done, but left no result
+  EXPECT_EQ(exited_with(0).ending, RunEnding::crashed);  // exit code 0 without result.json
   const RunOutcome outcome = killed_by(SIGSEGV);
   EXPECT_EQ(outcome.ending, RunEnding::crashed);
   EXPECT_EQ(outcome.message, "killed by signal 11 (Segmentation fault)");
 }
 
-TEST_F(OutcomeTest, ResultThatCannotBeReadIsNone) {
+TEST_F(OutcomeTest, DamagedResultCountsAsMissing) {
   for (const char* text : {"", "{\"stop\":", "[]", "null"}) {
     write("result.json", text);
     EXPECT_EQ(exited_with(0).ending, RunEnding::crashed) << text;
   }
 }
 
-TEST_F(OutcomeTest, ResultOfALaterFormatIsNotGuessedAt) {
+TEST_F(OutcomeTest, ResultOfALaterFormatFailsTheCase) {
   write("result.json", R"({"format": 2, "stop": "reached_end"})");
   EXPECT_EQ(exited_with(0).ending, RunEnding::failed);
   EXPECT_EQ(exited_with(0).message, "result.json has format 2, this program reads format 1");
 }
 
-/// tests/reference/run_directory_1 is what a process of format 1 left.
+/// tests/reference/run_directory_1 was written by a process of format 1.
 TEST(OldRunDirectory, CompleteOneIsRecorded) {
   const RunOutcome outcome =
       outcome_of({}, RunDirectory(source_directory() / "tests/reference/run_directory_1"));

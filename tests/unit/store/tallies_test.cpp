@@ -1,4 +1,4 @@
-// The counts that the triggers of schema/queue.sql keep.
+// Counts that the triggers of schema/queue.sql keep.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,8 +19,7 @@ using namespace std::chrono_literals;
 
 class TalliesTest : public QueueFixture {};
 
-/// Any history of commands leaves the sums as a new count would make them.
-TEST_F(TalliesTest, KeptSumsAreThoseOfACountAfterAnyHistory) {
+TEST_F(TalliesTest, EqualARecountAfterAnyHistoryOfCommands) {
   const auto sums = [&] {
     std::string all;
     for (const char* sql :
@@ -65,7 +64,7 @@ TEST_F(TalliesTest, KeptSumsAreThoseOfACountAfterAnyHistory) {
   }
 }
 
-TEST_F(TalliesTest, PointsOfOneCaseAreAllKeptAndTheCaseCountsOnce) {
+TEST_F(TalliesTest, CountACaseOnceAndEachOfItsPoints) {
   const std::string id = submit(study_of_merged_points()).study_id;
   EXPECT_EQ(count("study_cases"), 6);
   EXPECT_EQ(count("cases"), 2);
@@ -89,7 +88,7 @@ TEST_F(TalliesTest, PointsOfOneCaseAreAllKeptAndTheCaseCountsOnce) {
   EXPECT_THAT(counts(), ElementsAre(6, 0, 0, 1, 3));
 }
 
-TEST_F(TalliesTest, TotalsFollowTheCasesAndNeverLoseAnAttempt) {
+TEST_F(TalliesTest, OverAllStudiesFollowTheCasesAndKeepEveryAttempt) {
   const auto total = [&](const char* what, const char* name) {
     Statement row = database_.query("SELECT count FROM totals WHERE what = ? AND name = ?", what, name);
     return row.step() ? row.integer(0) : 0;
