@@ -38,7 +38,7 @@ double rounded(double number) { return std::round(1000 * number) / 1000; }
 
 /// Norms of the error at the vertices after 0 to 4 cycles that start from the undisturbed shear flow.
 /// \param exact  the solution, 3 x #V
-std::vector<double> errors_of_cycles(const Scene& scene, const Orbits& orbits, CompositeOptions options,
+std::vector<double> errors_of_cycles(const Scene& scene, const Orbits& orbits, QuasisteadyOptions options,
                                      const Points& exact) {
   options.tolerance = 1e300;  // so that solve() stops after one cycle
   QuasisteadyFlow<float> flow(scene.sphere.mesh, orbits, options);
@@ -56,7 +56,7 @@ std::vector<double> errors_of_cycles(const Scene& scene, const Orbits& orbits, C
 /// 1e-6.
 nlohmann::ordered_json cycle_row(const Scene& scene, const std::string& name, bool is_uniform,
                                  bool is_quarter, double V) {
-  const CompositeOptions options{.Re = 0, .V = V, .tolerance = 1e-6, .is_uniform = is_uniform};
+  const QuasisteadyOptions options{.Re = 0, .V = V, .tolerance = 1e-6, .is_uniform = is_uniform};
   const Orbits orbits = scene.orbits(is_quarter);
   QuasisteadyFlow<float> flow(scene.sphere.mesh, orbits, options);
   Points exact;
@@ -91,9 +91,9 @@ void add_parts_of_a_step(const Scene& scene, BenchReport& report) {
   flow.solve(0, scene.positions, scene.forces, u);
   boundary.place(scene.positions);
   const IndexBox capsule = boundary.touched(2);
-  VectorBox on_grid;
-  ScalarBox ratio;
-  ratio.reset(capsule.lo, capsule.sizes());
+  VectorField on_grid;
+  ScalarField ratio;
+  ratio.reset(capsule);
 
   nlohmann::ordered_json rows;
   const auto add = [&](const char* part, double seconds) {

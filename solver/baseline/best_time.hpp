@@ -1,4 +1,5 @@
 #pragma once
+// Timing of short works on a machine that also runs other programs.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -7,20 +8,20 @@
 
 namespace capstan {
 
-/// Seconds of the fastest call of each work. They take turns for `span` seconds, five turns at least, so that
-/// what other programs take away is taken from all; and the fastest counts, since other programs only ever
-/// add.
+/// Seconds of the fastest call of each work. The works take turns for `span` seconds, at least five turns, so
+/// that other programs slow down all of them alike. The fastest call counts because other programs can only
+/// add time.
 template <class... Work>
 std::array<double, sizeof...(Work)> best_times(double span, Work... work) {
   using Clock = std::chrono::steady_clock;
-  constexpr int kMin = 5;
+  constexpr int kMinTurns = 5;
   const auto seconds_since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   std::array<double, sizeof...(Work)> best;
   best.fill(std::numeric_limits<double>::infinity());
   const auto begin = Clock::now();
-  for (int turn = 0; turn < kMin || seconds_since(begin) < span; ++turn) {
+  for (int turn = 0; turn < kMinTurns || seconds_since(begin) < span; ++turn) {
     std::size_t which = 0;
     const auto take_turn = [&](auto& one) {
       const auto start = Clock::now();

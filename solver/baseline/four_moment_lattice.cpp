@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solver/fluid/lbm/d3q19.hpp"
 #include "solver/grid/vector_units.hpp"
 
 namespace capstan {
@@ -12,13 +13,14 @@ using d3q19::opposite;
 
 namespace {
 
-/// A row's neighbours, the row itself among them: their rho; g lies `stride` numbers further on, each.
+/// rho of a row of cells and of the eight rows around it. Each component of g follows after `stride` numbers.
 template <class Real>
 struct Neighbours {
   const Real* row[3][3];  ///< [1 + dy][1 + dz]
   std::ptrdiff_t stride;
 };
 
+/// phi_q of the direction e_q = (ex, ey, ez) at the cell i.
 template <int ex, int ey, int ez, class Real>
 [[gnu::always_inline]] inline Real phi(const Real* m, std::ptrdiff_t stride, std::ptrdiff_t i) {
   Real value = m[i];
@@ -28,7 +30,7 @@ template <int ex, int ey, int ez, class Real>
   return value;
 }
 
-/// What arrives along e and against it.
+/// phi of the two populations that arrive at a cell along e and along -e.
 template <class Real>
 struct Pair {
   Real sum, difference;
@@ -57,11 +59,11 @@ template <class Real>
       kAxis * z.difference + kDiagonal * (xz.difference - xnz.difference + yz.difference - ynz.difference);
 }
 
-// Of the nine rows the one at y + 1, z + 1 was not read before; memory is asked for the next of its kind, and
-// for the row that will be written next.
+// Prefetches the next row at y + 1, z + 1 (of the nine rows that are read, only this one was not read before)
+// and the row that is written next.
 template <class Real>
 CAPSTAN_VECTOR_UNITS void stream(const Neighbours<Real>& neighbours, Real* to, int count) {
-  constexpr std::ptrdiff_t kLine = kCacheLine / sizeof(Real);
+  constexpr std::ptrdiff_t kLine = kNumbersPerLine<Real>;
   const Neighbours<Real> near = neighbours;
   std::ptrdiff_t first = 0;
   for (; first + kLine <= count; first += kLine) {
@@ -79,10 +81,10 @@ CAPSTAN_VECTOR_UNITS void stream(const Neighbours<Real>& neighbours, Real* to, i
 }  // namespace
 
 template <class Real>
-MomentField<Real>::MomentField(Extent extent) : nx_(extent.nx), ny_(extent.ny) {
-  constexpr int kLine = kCacheLine / sizeof(Real);
-  stride_ = (nx_ + kLine - 1) / kLine * kLine + kLine;
-  numbers_.resize(kLine + std::size_t(extent.ny) * extent.nz * 4 * stride_);
+MomentField<Real>::MomentField(const IndexBox& box) : nx_(box.size(0)), ny_(box.size(1)) {
+  constexpr int kLine = kNumbersPerLine<Real>;
+  stride_ = whole_lines<Real>(nx_) + kLine;
+  numbers_.resize(kLine + std::size_t(ny_) * box.size(2) * 4 * stride_);
 }
 
 template <class Real>
@@ -96,11 +98,11 @@ void MomentField<Real>::close_row(int y, int z) {
 
 template <class Real>
 void FourMomentLattice<Real>::step() {
-  const int rows = extent_.ny * extent_.nz;
+  const int ny = box_.size(1), rows = ny * box_.size(2);
 #pragma omp parallel for schedule(static)
   for (int row = 0; row < rows; ++row) {
-    const int y = row % extent_.ny, z = row / extent_.ny;
-    if (y == 0 || y == extent_.ny - 1)
+    const int y = row % ny, z = row / ny;
+    if (y == 0 || y == ny - 1)
       step_row_at_wall(y, z);
     else
       step_inner_row(y, z);
@@ -113,35 +115,38 @@ template <class Real>
 void FourMomentLattice<Real>::step_inner_row(int y, int z) {
   Neighbours<Real> near{.row = {}, .stride = now_.stride()};
   for (int dy : {-1, 0, 1})
-    for (int dz : {-1, 0, 1}) near.row[1 + dy][1 + dz] = now_.row(0, y + dy, periodic(z + dz, extent_.nz));
-  stream(near, next_.row(0, y, z), extent_.nx);
+    for (int dz : {-1, 0, 1}) near.row[1 + dy][1 + dz] = now_.row(0, y + dy, periodic(z + dz, box_.size(2)));
+  stream(near, next_.row(0, y, z), box_.size(0));
 }
 
-/// Half-way bounce-back: from the wall comes what the cell sent there, with the momentum of the wall.
+/// Half-way bounce-back: a population that the cell sent to the wall returns reversed, with the momentum of
+/// the wall.
 template <class Real>
 void FourMomentLattice<Real>::step_row_at_wall(int y, int z) {
-  for (int moment = 0; moment < 4; ++moment) std::fill_n(next_.row(moment, y, z), extent_.nx, Real(0));
+  for (int moment = 0; moment < 4; ++moment) std::fill_n(next_.row(moment, y, z), box_.size(0), Real(0));
   for (int q = 0; q < kQ; ++q) {
-    const int from_y = y - e[q].y, from_z = periodic(z - e[q].z, extent_.nz);
+    const int from_y = y - e[q].y, from_z = periodic(z - e[q].z, box_.size(2));
     if (from_y < 0)
       add_arriving(q, opposite[q], now_.row(0, y, z), Real(-6 * e[q].x) * wall_speed_, y, z);
-    else if (from_y >= extent_.ny)
+    else if (from_y >= box_.size(1))
       add_arriving(q, opposite[q], now_.row(0, y, z), Real(6 * e[q].x) * wall_speed_, y, z);
     else
       add_arriving(q, q, now_.row(0, from_y, from_z) - e[q].x, Real(0), y, z);
   }
 }
 
-/// Adds w_q [1, e_q] (phi_p + more) to the moments of a row. \param m  the moments that phi_p is made of
+/// Adds w_q [1, e_q] (phi_p + more) to the moments of a row.
+/// \param m  row of the moments of which phi_p is computed
 template <class Real>
 void FourMomentLattice<Real>::add_arriving(int q, int p, const Real* m, Real more, int y, int z) {
   const std::ptrdiff_t stride = now_.stride();
   const Real weight = Real(d3q19::weight(q)), px = Real(3 * e[p].x), py = Real(3 * e[p].y),
              pz = Real(3 * e[p].z);
   const Real to_x = Real(e[q].x), to_y = Real(e[q].y), to_z = Real(e[q].z);
+  const int nx = box_.size(0);
   Real* to = next_.row(0, y, z);
 #pragma GCC ivdep
-  for (int x = 0; x < extent_.nx; ++x) {
+  for (int x = 0; x < nx; ++x) {
     const Real value =
         weight * (m[x] + more + px * m[stride + x] + py * m[2 * stride + x] + pz * m[3 * stride + x]);
     to[x] += value;

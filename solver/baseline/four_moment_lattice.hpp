@@ -1,40 +1,42 @@
 #pragma once
-// The standard method at its own best: the lattice Boltzmann equation in time with all relaxation rates 1 and
-// the lattice viscosity 1/6, V = 1, without inertia.
+// The standard method with its best parameters: the lattice Boltzmann equation in time with all relaxation
+// rates 1 and the lattice viscosity 1/6, for V = 1 and without inertia.
 //
-// Collision with all rates 1 forgets everything but the density rho and the momentum g = j + F (paper eq. 13
-// with S = 1 but for the conserved moments, m_eq linear):
-//   f*_q = w_q phi_q,   phi_q = rho + 3 e_q.g
-// so that streaming gives the moments at the next time step from those of the neighbours:
-//   rho(x) = sum_q w_q phi_q(x - e_q),   j(x) = sum_q w_q e_q phi_q(x - e_q)
-// Four numbers a cell instead of 19; equal to the 19 populations to round-off. Two arrays, since neighbours
-// are read: 4 numbers are read, 4 are fetched to be overwritten and 4 written, 12 an update. No force is
-// added here: it touches the cells around the capsule alone.
+// After a collision with all rates 1 (paper eq. 13 with m_eq linear) the populations depend only on the
+// density rho and the momentum g = j + F:
+//   f*_q = w_q phi_q,   phi_q = rho + 3 e_q.g.
+// Streaming then gives the moments at the next time step from those of the neighbours:
+//   rho(x) = sum_q w_q phi_q(x - e_q),   j(x) = sum_q w_q e_q phi_q(x - e_q).
+// So a cell has 4 numbers instead of 19; the results are equal to round-off. A step reads one array and
+// writes another: an update reads 4 numbers, fetches 4 into the cache that it overwrites, and writes 4. No
+// force is added, since a force acts only on the few cells around the capsule.
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-#include "solver/fluid/lbm/population_field.hpp"
 #include "solver/grid/huge_pages.hpp"
+#include "solver/grid/index_box.hpp"
 
 namespace capstan {
 
-/// Rows of cells, each with its rho and then its three g, and with a periodic ghost at both ends of them.
+/// The moments rho, g_x, g_y, g_z of a box of cells. The four rows of a row of cells follow each other in
+/// memory, each with a periodic ghost at both ends.
 template <class Real>
 class MomentField {
  public:
-  explicit MomentField(Extent extent);
+  explicit MomentField(const IndexBox& box);
 
   /// The cell x = 0. \param moment 0: rho, 1 to 3: g
   Real* row(int moment, int y, int z) { return numbers_.data() + offset(moment, y, z); }
   const Real* row(int moment, int y, int z) const { return numbers_.data() + offset(moment, y, z); }
-  /// From a row of rho to the same of g_x, and so on.
+  /// Distance in memory from a moment to the next one of the same cell.
   std::ptrdiff_t stride() const { return stride_; }
+  /// Sets the ghosts of a row.
   void close_row(int y, int z);
 
  private:
   std::size_t offset(int moment, int y, int z) const {
-    return kCacheLine / sizeof(Real) + ((std::size_t(z) * ny_ + y) * 4 + moment) * stride_;
+    return kNumbersPerLine<Real> + ((std::size_t(z) * ny_ + y) * 4 + moment) * stride_;
   }
 
   int nx_, ny_;
@@ -42,14 +44,16 @@ class MomentField {
   std::vector<Real, HugePageAllocator<Real>> numbers_;
 };
 
-/// Real: float or double.
+/// \tparam Real  float or double
 template <class Real>
 class FourMomentLattice {
  public:
-  /// \param wall_speed of the upper wall along x; the lower wall moves the other way
-  FourMomentLattice(Extent extent, double wall_speed)
-      : extent_(extent), wall_speed_(Real(wall_speed)), now_(extent), next_(extent) {}
+  /// \param box         the cells of the domain, numbered from 0
+  /// \param wall_speed  of the upper wall along x; the lower wall moves the other way
+  FourMomentLattice(const IndexBox& box, double wall_speed)
+      : box_(box), wall_speed_(Real(wall_speed)), now_(box), next_(box) {}
 
+  /// One time step.
   void step();
   MomentField<Real>& moments() { return now_; }
 
@@ -58,7 +62,7 @@ class FourMomentLattice {
   void step_row_at_wall(int y, int z);
   void add_arriving(int q, int p, const Real* m, Real more, int y, int z);
 
-  Extent extent_;
+  IndexBox box_;
   Real wall_speed_;
   MomentField<Real> now_, next_;
 };

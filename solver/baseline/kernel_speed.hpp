@@ -1,33 +1,35 @@
 #pragma once
-// How fast the lattices' inner loops are, and how near to what the memory allows.
+// The speed of the lattices' inner loops, and its ratio to the limit set by the memory bandwidth.
+#include <array>
 #include <string_view>
-
-#include "solver/fluid/lbm/population_field.hpp"
 
 namespace capstan {
 
 enum class Kernel {
-  nineteen_populations,  ///< InPlaceLattice with the paper's rates: the standard method that speed-ups are
-                         ///< stated against
-  four_moments,          ///< FourMomentLattice: that method at its own best
-  composite,             ///< one smoothing sweep of the quasi-steady scheme, ghosts included
-  composite_stress,      ///< the same where the viscosity differs
+  nineteen_populations,  ///< InPlaceLattice with the paper's rates: the standard method, to which speed-ups
+                         ///< are related
+  four_moments,          ///< FourMomentLattice: the standard method with its best parameters
+  composite,             ///< one smoothing sweep of the quasisteady model, ghosts included
+  composite_stress,      ///< the same with stresses, as in cells of another viscosity than the ambient one
 };
 std::string_view to_string(Kernel kernel);
 
 struct KernelSpeed {
-  double updates;    ///< lattice updates a second
-  double bytes;      ///< memory traffic of an update, arrays fetched to be overwritten included
-  double bandwidth;  ///< bytes a second that the memory gave to an array as large, taking turns with it
+  double updates;  ///< cells updated per second
+  double bytes;  ///< memory traffic of an update of a cell; a write to memory that is not in the cache counts
+                 ///< twice
+  double bandwidth;  ///< bytes per second measured in turns with ScaledArray, on an array of the same size
+  /// Memory traffic per second over the bandwidth.
   double share() const { return updates * bytes / bandwidth; }
 };
 
-/// On as many threads as OpenMP has; in about two seconds.
+/// Measures for about two seconds, on all threads of OpenMP.
 /// \tparam Real  float or double
+/// \param cells  along x, y, z
 template <class Real>
-KernelSpeed kernel_speed(Kernel kernel, const Extent& cells);
+KernelSpeed kernel_speed(Kernel kernel, const std::array<int, 3>& cells);
 
-extern template KernelSpeed kernel_speed<float>(Kernel, const Extent&);
-extern template KernelSpeed kernel_speed<double>(Kernel, const Extent&);
+extern template KernelSpeed kernel_speed<float>(Kernel, const std::array<int, 3>&);
+extern template KernelSpeed kernel_speed<double>(Kernel, const std::array<int, 3>&);
 
 }  // namespace capstan

@@ -8,7 +8,7 @@ namespace capstan {
 namespace {
 
 CAPSTAN_VECTOR_UNITS void scale_part(double* numbers, std::size_t count) {
-  constexpr double kFactor = 0.99999999;  // far from denormal numbers for as long as anyone measures
+  constexpr double kFactor = 0.99999999;  // so near to 1 that the numbers do not become denormal
   for (std::size_t i = 0; i < count; ++i) numbers[i] *= kFactor;
 }
 

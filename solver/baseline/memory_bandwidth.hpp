@@ -1,5 +1,5 @@
 #pragma once
-// What the memory can give: the limit of a sweep that does nothing else.
+// The bandwidth of the memory, which limits the speed of any sweep over arrays.
 #include <cstddef>
 #include <vector>
 
@@ -7,15 +7,15 @@
 
 namespace capstan {
 
-/// An array that is scaled in place, on as many threads as OpenMP has: every byte is read once and written
-/// once and nothing is fetched only to be overwritten. The traffic of an InPlaceLattice of the same size,
-/// without its work.
+/// An array that is multiplied in place by a factor, on all threads of OpenMP. Every byte is read once and
+/// written once: the same memory traffic as that of an InPlaceLattice of the same size, with next to no
+/// arithmetic.
 class ScaledArray {
  public:
   explicit ScaledArray(std::size_t bytes) : numbers_(bytes / sizeof(double), 1.0) {}
 
   void scale();
-  /// By one scaling, read and written.
+  /// Bytes read plus bytes written by one call of scale().
   double bytes_moved() const { return 2 * double(numbers_.size() * sizeof(double)); }
 
  private:

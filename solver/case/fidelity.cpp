@@ -25,12 +25,6 @@ const FidelityPreset* find_preset(std::string_view name) {
   return nullptr;
 }
 
-std::vector<int> halved_cells(int finest) {
-  std::vector<int> cells = {finest};
-  while (cells.back() > 8 && cells.back() % 4 == 0) cells.push_back(cells.back() / 2);
-  return cells;
-}
-
 std::optional<int> icosphere_subdivisions(int nodes) {
   for (int n = 0, faces = 20; n <= 6; ++n, faces *= 4)
     if (nodes == faces / 2 + 2) return n;

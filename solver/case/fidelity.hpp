@@ -52,10 +52,6 @@ struct FidelityPreset {
 const std::vector<FidelityPreset>& fidelity_presets();
 const FidelityPreset* find_preset(std::string_view name);
 
-/// Cells along an edge of the composite's grids over the whole domain, finest first: halved until 8 or fewer
-/// are left or their half is odd.
-std::vector<int> halved_cells(int finest);
-
 /// Vertex counts of the subdivided icosahedron: 12, 42, 162, 642, 2562, 10242, 40962.
 std::optional<int> icosphere_subdivisions(int nodes);
 

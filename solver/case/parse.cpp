@@ -11,6 +11,7 @@
 #include "solver/case/nearest_word.hpp"
 #include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
+#include "solver/grid/halved_cells.hpp"
 
 namespace capstan {
 namespace {

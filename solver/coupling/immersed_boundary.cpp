@@ -5,30 +5,20 @@
 namespace capstan {
 namespace {
 
-/// A row of the 4 x 4 x 4 cells around a vertex, one vector register where there are such.
+/// A row of the 4 x 4 x 4 cells around a vertex: one vector register with AVX2.
 using FourCells [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 [[gnu::always_inline]] inline FourCells& at(double* cell) { return *reinterpret_cast<FourCells*>(cell); }
 [[gnu::always_inline]] inline const FourCells& at(const double* cell) {
   return *reinterpret_cast<const FourCells*>(cell);
 }
 
-/// Distances in memory from a cell to its neighbours in y and z, and to the next component.
-struct BoxStrides {
-  std::ptrdiff_t y, z, component;
-};
-
-BoxStrides strides_of(const VectorBox& box) {
-  const auto [nx, ny, nz] = box.size();
-  return {nx, std::ptrdiff_t(nx) * ny, std::ptrdiff_t(nx) * ny * nz};
-}
-
-template <class Box>
-auto* first_cell(Box& box, const Stencil& stencil) {
-  return box.row(0, stencil[1].first, stencil[2].first) + (stencil[0].first - box.lo()[0]);
+template <class Field>
+auto* first_cell(Field& field, const Stencil& stencil) {
+  return field.row(0, stencil[1].first, stencil[2].first) + (stencil[0].first - field.box().lo[0]);
 }
 
 CAPSTAN_VECTOR_UNITS void spread_one(const Stencil& stencil, const Vec3& force, double* cells,
-                                     const BoxStrides& strides) {
+                                     const Strides& strides) {
   const auto& [sx, sy, sz] = stencil;
   for (int c = 0; c < 3; ++c) {
     FourCells along;
@@ -41,7 +31,7 @@ CAPSTAN_VECTOR_UNITS void spread_one(const Stencil& stencil, const Vec3& force, 
 }
 
 CAPSTAN_VECTOR_UNITS Vec3 interpolate_one(const Stencil& stencil, const double* cells,
-                                          const BoxStrides& strides) {
+                                          const Strides& strides) {
   const auto& [sx, sy, sz] = stencil;
   Vec3 sums;
   for (int c = 0; c < 3; ++c) {
@@ -62,11 +52,11 @@ bool ImmersedBoundary::place(const Points& positions, int margin) {
   if (!positions.allFinite()) return false;
   const Vec3 low = (positions.rowwise().minCoeff() - grid_.origin) / grid_.dx;
   const Vec3 high = (positions.rowwise().maxCoeff() - grid_.origin) / grid_.dx;
-  constexpr double kFarthestCell = 1e6;  // a position beyond it is lost, and would overflow an index
-  if (low.minCoeff() < -kFarthestCell || high.maxCoeff() > kFarthestCell) return false;
+  constexpr double kMaxDistance = 1e6;  // cells; the index of a much farther one would overflow
+  if (low.minCoeff() < -kMaxDistance || high.maxCoeff() > kMaxDistance) return false;
   for (int c = 0; c < 3; ++c) {
-    lo_[c] = static_cast<int>(std::floor(low[c])) - 1 - margin;
-    size_[c] = static_cast<int>(std::floor(high[c])) + 3 + margin - lo_[c];
+    box_.lo[c] = static_cast<int>(std::floor(low[c])) - 1 - margin;
+    box_.hi[c] = static_cast<int>(std::floor(high[c])) + 3 + margin;
   }
   stencils_.resize(positions.cols());
   for (Eigen::Index k = 0; k < positions.cols(); ++k)
@@ -75,18 +65,18 @@ bool ImmersedBoundary::place(const Points& positions, int margin) {
   return true;
 }
 
-void ImmersedBoundary::spread(const Points& forces, double scale, VectorBox& box) const {
+void ImmersedBoundary::spread(const Points& forces, double scale, VectorField& field) const {
   for (std::size_t k = 0; k < stencils_.size(); ++k) {
     const Stencil& stencil = stencils_[k];
-    spread_one(stencil, scale * forces.col(Eigen::Index(k)), first_cell(box, stencil), strides_of(box));
+    spread_one(stencil, scale * forces.col(Eigen::Index(k)), first_cell(field, stencil), field.strides());
   }
 }
 
-void ImmersedBoundary::interpolate(const VectorBox& box, double scale, Points& velocities) const {
+void ImmersedBoundary::interpolate(const VectorField& field, double scale, Points& velocities) const {
   for (std::size_t k = 0; k < stencils_.size(); ++k) {
     const Stencil& stencil = stencils_[k];
     velocities.col(Eigen::Index(k)) =
-        scale * interpolate_one(stencil, first_cell(box, stencil), strides_of(box));
+        scale * interpolate_one(stencil, first_cell(field, stencil), field.strides());
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-// For the cells of a box near a membrane: which of its vertices is nearest.
-#include <array>
+// The nearest vertex of a membrane to each cell of a box.
 #include <vector>
 
+#include "solver/grid/index_box.hpp"
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {
@@ -11,22 +11,22 @@ class NearestVertices {
  public:
   static constexpr int kNone = -1;
 
-  /// \param positions in cells: cell i has its centre at i
-  /// \param reach     cells; who is farther from all vertices has none
-  /// \param lo, size  the box
-  void find(const Points& positions, double reach, std::array<int, 3> lo, std::array<int, 3> size);
+  /// Finds the nearest vertex to each cell of `box`; kNone for cells farther than `reach` from all vertices.
+  /// \param positions  3 x #V, in cells: the centre of the cell i is at i
+  /// \param reach      in cells
+  void find(const Points& positions, double reach, const IndexBox& box);
 
-  /// The vertices of a row of cells, x = lo[0] ..., or kNone.
+  /// The nearest vertices, or kNone, of a row of cells, from x = box.lo[0] on.
   const int* row(int y, int z) const { return nearest_.data() + offset(y, z); }
 
  private:
   std::size_t offset(int y, int z) const {
-    return (std::size_t(z - lo_[2]) * size_[1] + (y - lo_[1])) * pitch_;
+    return (std::size_t(z - box_.lo[2]) * box_.size(1) + (y - box_.lo[1])) * pitch_;
   }
 
-  std::array<int, 3> lo_{}, size_{};
-  std::size_t pitch_ = 0;  ///< of a row, with a register's width beyond its end
-  std::vector<float> distance2_;
+  IndexBox box_;
+  std::size_t pitch_ = 0;         ///< from row to row; unused numbers, a register full, follow each row
+  std::vector<float> distance2_;  ///< squared, in cells, to the nearest vertex; scratch of find()
   std::vector<int> nearest_;
 };
 

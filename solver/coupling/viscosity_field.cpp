@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "solver/grid/for_each_row.hpp"
 #include "solver/mesh/curvature.hpp"
 #include "solver/mesh/geometry.hpp"
 
@@ -18,19 +19,19 @@ double smoothed_heaviside(double distance_in_cells) {
 ViscosityField::ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits)
     : grid_(grid), orbits_(std::move(orbits)), patch_(patch_around(orbits_.representatives(), 1, mesh)) {}
 
-// Along a row of cells the band of known distances is met before the other side is, so a cell beyond the band
-// is on the side of the last cell that was in it.
-void ViscosityField::update(const Points& positions, double ambient, double inner, ScalarBox& viscosity) {
+// Only cells in a band around the membrane have a nearest vertex and a distance. A cell beyond the band
+// inherits inside or outside from the last band cell of its row; the first cells of a row are outside.
+void ViscosityField::update(const Points& positions, double ambient, double inner, ScalarField& viscosity) {
   measure_surface(positions);
-  nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach_, viscosity.lo(), viscosity.size());
-  viscosity.for_each_row([&](int y, int z) {
+  nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach_, viscosity.box());
+  for_each_row_in_order(viscosity.box(), [&](int y, int z) {
     double outside = 1;
     const int* nearest = nearest_.row(y, z);
-    for (int i = 0; i < viscosity.size()[0]; ++i) {
+    for (int i = 0; i < viscosity.box().size(0); ++i) {
       const int vertex = nearest[i];
       double H = outside;
       if (vertex != NearestVertices::kNone) {
-        const Vec3 centre = grid_.origin + grid_.dx * Vec3(viscosity.lo()[0] + i, y, z);
+        const Vec3 centre = grid_.origin + grid_.dx * Vec3(viscosity.box().lo[0] + i, y, z);
         const double distance = signed_distance(centre - positions.col(vertex), vertex);
         H = smoothed_heaviside(distance / grid_.dx);
         outside = distance > 0 ? 1 : 0;
@@ -48,25 +49,26 @@ void ViscosityField::measure_surface(const Points& positions) {
   reach_ = reach(of_patch);
 }
 
-// The surface near a vertex is its osculating sphere of curvature kappa: with r the offset, p = r.n and t^2 =
-// r^2 - p^2
+// Distance to the osculating sphere of the vertex, of mean curvature kappa: with r the offset from the
+// vertex, p = r.n and t^2 = r^2 - p^2
 //   d = (2 p + kappa r^2) / (1 + sqrt((1 + kappa p)^2 + kappa^2 t^2)).
-// Differs from the paper: the exact distance to the triangles costs many times as much and smooths the same
-// jump. Where the mesh crumples, curvature is bounded by what the grid can tell.
+// Differs from the paper: the exact distance to the triangles costs many times as much and gives nearly the
+// same smoothed jump. On a crumpled mesh |kappa| is limited to 1/dx, the largest that the grid resolves.
 double ViscosityField::signed_distance(const Vec3& offset, int vertex) const {
   const double kappa = curvature_[vertex], p = offset.dot(normals_.col(vertex)), r2 = offset.squaredNorm();
   const double t2 = std::max(0.0, r2 - p * p);
   return (2 * p + kappa * r2) / (1 + std::sqrt(std::pow(1 + kappa * p, 2) + kappa * kappa * t2));
 }
 
-/// A cell within two spacings of the surface is within this of a vertex: its foot on a triangle is within
-/// 0.58 edges of a corner (the centre of an equilateral triangle), at a right angle to the way there.
+/// In cells: a point within two spacings of the surface is within this distance of a vertex. The foot of its
+/// normal on a triangle is at most 0.58 edges from a corner (the centre of an equilateral triangle): hypot of
+/// the two.
 double ViscosityField::reach(const Points& of_patch) const {
-  double longest2 = 0;
+  double max_edge2 = 0;
   for (const Edge& edge : patch_.mesh.edges)
-    longest2 =
-        std::max(longest2, (of_patch.col(edge.vertices[0]) - of_patch.col(edge.vertices[1])).squaredNorm());
-  return std::hypot(2, 0.58 * std::min(std::sqrt(longest2) / grid_.dx, 4.0));
+    max_edge2 =
+        std::max(max_edge2, (of_patch.col(edge.vertices[0]) - of_patch.col(edge.vertices[1])).squaredNorm());
+  return std::hypot(2, 0.58 * std::min(std::sqrt(max_edge2) / grid_.dx, 4.0));
 }
 
 }  // namespace capstan

@@ -1,9 +1,9 @@
 #pragma once
-// The viscosity around the membrane (paper eqs. 40, 41): the inner one inside, the outer one outside,
+// The viscosity around the membrane (paper eqs. 40, 41): the inner one inside, the ambient one outside,
 // smoothed over two cells on either side.
 #include "solver/coupling/immersed_boundary.hpp"
 #include "solver/coupling/nearest_vertices.hpp"
-#include "solver/grid/cell_box.hpp"
+#include "solver/grid/cell_field.hpp"
 #include "solver/mesh/in_plane_symmetry.hpp"
 #include "solver/mesh/surface_patch.hpp"
 
@@ -14,24 +14,26 @@ double smoothed_heaviside(double distance_in_cells);
 
 class ViscosityField {
  public:
-  /// \param orbits of all positions to come
+  /// \param orbits  the symmetry of the surface, which all positions passed to update() must have
   ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits);
 
-  /// viscosity = mu_c + (mu_a - mu_c) H(d) in the cells of the box, which must contain the capsule.
-  void update(const Points& positions, double ambient, double inner, ScalarBox& viscosity);
+  /// viscosity = inner + (ambient - inner) H(d / dx) in the cells of the field's box, which must contain the
+  /// capsule; d is the signed distance to the membrane, positive outside. \param positions  3 x #V
+  void update(const Points& positions, double ambient, double inner, ScalarField& viscosity);
 
  private:
   void measure_surface(const Points& positions);
-  double reach(const Points& of_patch) const;  ///< in cells
+  double reach(const Points& of_patch) const;
   double signed_distance(const Vec3& offset, int vertex) const;
 
   GridGeometry grid_;
   Orbits orbits_;
-  SurfacePatch patch_;  ///< around the representatives
+  SurfacePatch patch_;  ///< the representatives and their neighbours
+  // Scratch of update():
   NearestVertices nearest_;
-  Points normals_;     ///< of all vertices
-  Scalars curvature_;  ///< likewise
-  double reach_ = 0;
+  Points normals_;     ///< 3 x #V, outward
+  Scalars curvature_;  ///< #V, mean curvature, positive on a sphere
+  double reach_ = 0;   ///< cells; farther from all vertices the viscosity is that of one side
 };
 
 }  // namespace capstan

@@ -1,5 +1,5 @@
 #pragma once
-// The one interface between membrane and fluid: forces at the vertices in, velocities of the vertices out.
+// The interface between membrane and fluid: forces at the vertices in, velocities of the vertices out.
 #include <limits>
 #include <optional>
 #include <string>
@@ -11,37 +11,41 @@ namespace capstan {
 
 class StateArchive;
 
-/// What one solution of the flow cost, and how sure it is.
+/// Cost and accuracy of one solution of the flow.
 struct FlowReport {
   int iterations = 0;  ///< multigrid cycles, lattice steps or matrix-vector products
-  double error = 0;    ///< estimated relative error of the vertex velocities; infinite when the flow is lost
-  bool converged = true;   ///< false: the velocities are of no use
-  std::string fault = {};  ///< why it did not converge
+  double error = 0;  ///< estimated relative error of the vertex velocities; infinite if no flow was computed
+  bool converged = true;    ///< false: the velocities must not be used
+  std::string reason = {};  ///< why it did not converge
 };
 
-inline FlowReport lost_flow(std::string fault) {
-  return {.error = std::numeric_limits<double>::infinity(), .converged = false, .fault = std::move(fault)};
+/// The report of a flow that could not be computed.
+inline FlowReport lost_flow(std::string reason) {
+  return {.error = std::numeric_limits<double>::infinity(), .converged = false, .reason = std::move(reason)};
 }
 
-/// The faults of every model.
+// Reasons that several models give.
 inline constexpr const char* kLostMembrane = "the membrane's positions or forces are not finite";
 inline constexpr const char* kOutsideOfDomain =
     "the capsule has left the box: take a larger box, or the fluid stokes, which has none";
 
-/// Flow around (and inside) one capsule in the shear flow u = (y, 0, 0). Units: a = k = mu_a = 1.
+/// Flow around and inside one capsule in the shear flow u = (y, 0, 0). Units: a = k = mu_a = 1.
 class FlowModel {
  public:
   virtual ~FlowModel() = default;
 
-  /// Velocities of the membrane at time kt, for its positions and its forces on the fluid.
-  /// \param positions  3 x #V   \param forces  3 x #V, integrated over the vertex's share of the membrane
-  /// \param velocities 3 x #V, result
+  /// Computes the velocities of the membrane at time kt.
+  /// \param positions   3 x #V
+  /// \param forces      3 x #V, by the membrane on the fluid, integrated over each vertex's share of the
+  /// membrane \param velocities  3 x #V, result
   virtual FlowReport solve(double kt, const Points& positions, const Points& forces, Points& velocities) = 0;
 
-  /// The time step k*dt this model imposes, if it does (a transient lattice model steps with its lattice).
+  /// The time step k dt of the membrane, if the model prescribes it: that of a transient lattice is the
+  /// lattice's own.
   virtual std::optional<double> imposed_time_step() const { return std::nullopt; }
 
-  /// Everything the next solve depends on, so that a resumed run equals an uninterrupted one to the last bit.
+  /// Saves and loads everything the next solve depends on: a resumed run equals an uninterrupted one bit for
+  /// bit.
   virtual void save(StateArchive& archive) const = 0;
   virtual void load(const StateArchive& archive) = 0;
 };

@@ -1,11 +1,18 @@
 #pragma once
-// The full approximation storage multigrid cycle (paper eqs. 22-25), for any hierarchy of levels.
+// Multigrid with full approximation storage (paper eqs. 22-25), for any hierarchy of levels of which each has
+// twice the spacing of the one before.
 //
-// A level holds an approximation f of the solution of its equation r(f) = 0 and can
-//   relax()                  improve f by one smoothing sweep
-//   restrict_to(coarse)      give the coarse level its start I f and its equation
-//                              r_H(f_H) = D_H,  D_H = r_H(I f) - I' r_h(f)
-//   correct_from(coarse)     add the interpolated coarse change f_H - I f to f
+// The unknowns f of each level obey an equation
+//   A(f) = D.
+// On the finest level D is given (a force, or zero); on a coarser one it is the defect correction written by
+// the next finer level. A lattice Boltzmann level has A(f) = f - S(f), where S is one collision and streaming
+// step. The residual is the right-hand side less the left-hand side,
+//   r(f) = D - A(f),   for a lattice   r(f) = S(f) + D - f
+// (the paper's eq. 21 has the opposite sign). From a fine level h to the next coarser one H, with the
+// restrictions I of unknowns and I' of residuals, and the interpolation P:
+//   start              f_H = I f_h
+//   defect correction  D_H = A_H(I f_h) + I' r_h(f_h)        (eq. 24)
+//   correction         f_h <- f_h + P (f_H - I f_h)
 #include <concepts>
 #include <cstddef>
 #include <span>
@@ -14,18 +21,17 @@ namespace capstan {
 
 template <class L>
 concept FasLevel = requires(L fine, L coarse) {
-  fine.relax();
-  fine.restrict_to(coarse);
-  fine.correct_from(coarse);
+  fine.relax();               // improves f by one smoothing sweep
+  fine.restrict_to(coarse);   // writes the start f_H and the defect correction D_H of the coarse level
+  fine.correct_from(coarse);  // adds the interpolated change of the coarse level to f
 };
 
 struct CycleShape {
-  int pre = 1;     ///< sweeps before the visit of the coarser level
-  int post = 1;    ///< sweeps after it
-  int visits = 2;  ///< of the coarser level: 1 is a V-cycle, 2 a W-cycle
-  int once =
-      1;  ///< so many levels, from the coarsest on, are visited once a visit of the finer one all the same
-  int coarsest = 10;  ///< sweeps on the coarsest level
+  int pre = 1;            ///< sweeps before the visit of the coarser level
+  int post = 1;           ///< sweeps after it
+  int visits = 2;         ///< visits of the coarser level: 1 is a V-cycle, 2 a W-cycle
+  int single_visits = 1;  ///< number of levels, counted from the coarsest, that are visited once only
+  int coarsest = 10;      ///< sweeps on the coarsest level
 };
 
 /// One cycle on levels[0] (finest) ... levels.back() (coarsest).
@@ -39,7 +45,7 @@ void fas_cycle(std::span<L> levels, const CycleShape& shape) {
   L& coarse = levels[1];
   for (int sweep = 0; sweep < shape.pre; ++sweep) fine.relax();
   fine.restrict_to(coarse);
-  const int visits = int(levels.size()) - 1 <= shape.once ? 1 : shape.visits;
+  const int visits = int(levels.size()) - 1 <= shape.single_visits ? 1 : shape.visits;
   for (int visit = 0; visit < visits; ++visit) fas_cycle(levels.subspan(1), shape);
   fine.correct_from(coarse);
   for (int sweep = 0; sweep < shape.post; ++sweep) fine.relax();

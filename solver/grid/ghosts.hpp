@@ -1,5 +1,8 @@
 #pragma once
-// What stands around a box: a rule a side, as data.
+// Values of the ghost cells around a box: one rule for each side.
+//
+// Ghosts behind a wall or a symmetry plane are images of cells inside. What a field's components become in an
+// image (a change of sign, or another component) depends on what they mean, and is given as data.
 #include <array>
 #include <span>
 
@@ -8,29 +11,39 @@
 namespace capstan {
 
 enum class SideRule {
-  interpolated,  ///< from the next coarser grid; kept until that changes
-  periodic,      ///< the cells at the other end (both sides of an axis)
-  wall,          ///< fluid at rest half a cell outside: the neighbour with its momentum reversed
-  mirror,        ///< of z: the neighbour, with what points along z reversed
-  half_turn,     ///< about z, at y = 0: the cell at (-x, -y) with what points along x or y reversed
+  interpolated,  ///< interpolated from the next coarser grid; fill_ghosts() leaves them alone
+  periodic,      ///< copies of the cells at the other end (both sides of an axis)
+  wall,          ///< of y or z: image of the adjacent cell; the wall is half a cell outside of it
+  mirror,        ///< of z: image of the adjacent cell under z -> -z
+  half_turn,     ///< of y at y = 0: image of the cell at (-x, -y) under the half-turn about z
 };
 
-/// Rules of the sides low and high of x, y, z.
+/// Rules of the low and the high side of x, y and z. Sides of x are periodic or interpolated.
 struct SideRules {
   std::array<std::array<SideRule, 2>, 3> side;
 };
 
-/// How the components of a field look behind a wall, in a mirror and after a half-turn: +1 or -1 each.
-struct Parity {
-  std::span<const int> wall, mirror, half_turn;
+/// A component of an image: `sign` times the component `of` of the original cell.
+struct ImageComponent {
+  int of;
+  int sign;  ///< +1 or -1
 };
-extern const Parity kMomentParity, kStressParity, kScalarParity;
 
-/// Fills the ghosts of all sides but the interpolated ones, edges and corners included.
+/// The components of a field's images behind a wall, in a mirror and after a half-turn. Empty: the field has
+/// no such side.
+struct Images {
+  std::span<const ImageComponent> wall, mirror, half_turn;
+};
+
+/// Images of a field of one component that keeps its value, e.g. a viscosity.
+extern const Images kScalarImages;
+
+/// Fills the ghosts of all sides except the interpolated ones, edges and corners included.
 template <class T>
-void fill_ghosts(RowField<T>& field, const SideRules& rules, const Parity& parity);
+void fill_ghosts(RowField<T>& field, const SideRules& rules, const Images& images);
 
-/// Copies the ghost rows of the interpolated sides of y and z (those of x stand in the rows of cells).
+/// Copies the ghost rows of the interpolated sides of y and z. (Ghosts at the ends of rows of cells are not
+/// copied.)
 template <class T>
 void copy_interpolated(const RowField<T>& from, RowField<T>& to, const SideRules& rules);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Memory for arrays that are swept from end to end: aligned to cache lines, and on pages of 2 MB where the
-// kernel has them (a sweep over 19 arrays would otherwise wait for address translation).
+// Memory for arrays that are swept from end to end: aligned to cache lines, and on pages of 2 MB where Linux
+// has them. With pages of 4 kB a sweep over 19 arrays would wait for address translation (TLB misses).
 #include <sys/mman.h>
 
 #include <cstddef>
@@ -9,7 +9,17 @@
 
 namespace capstan {
 
-inline constexpr std::size_t kCacheLine = 64;
+inline constexpr std::size_t kCacheLine = 64;  ///< bytes
+
+/// Numbers of type T in a cache line.
+template <class T>
+inline constexpr int kNumbersPerLine = kCacheLine / sizeof(T);
+
+/// `numbers` rounded up to whole cache lines.
+template <class T>
+constexpr int whole_lines(int numbers) {
+  return (numbers + kNumbersPerLine<T> - 1) / kNumbersPerLine<T> * kNumbersPerLine<T>;
+}
 
 template <class T>
 struct HugePageAllocator {
@@ -24,7 +34,8 @@ struct HugePageAllocator {
     const std::size_t bytes = (count * sizeof(T) + alignment - 1) / alignment * alignment;
     void* memory = std::aligned_alloc(alignment, bytes);
     if (!memory) throw std::bad_alloc();
-    if (alignment == kHugePage) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish; small pages serve too
+    if (alignment == kHugePage)
+      madvise(memory, bytes, MADV_HUGEPAGE);  // advice: if refused, small pages are used
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }

@@ -1,6 +1,5 @@
 #include "solver/grid/row_field.hpp"
 
-#include "solver/grid/for_each_row.hpp"
 #include "solver/grid/vector_units.hpp"
 
 namespace capstan {

@@ -1,8 +1,7 @@
 #pragma once
-// One binary for every machine: the loader takes the clone of a function that fits the processor's vector
-// registers (AVX-512, AVX2, or the least that every x86-64 has). The loops inside must be ones that the
-// compiler vectorises.
-// Not with clang 14, which has no clones of templates: there everything is compiled for every x86-64.
+// Function attribute: compiles the function for AVX-512, for AVX2 and for any x86-64 processor; the loader
+// picks the widest version that the processor can run. So one binary serves every machine. Only loops that
+// the compiler vectorises gain by it. Empty with clang 14, which does not support it on templates.
 #ifdef __clang__
 #define CAPSTAN_VECTOR_UNITS
 #else

@@ -158,7 +158,7 @@ FlowReport RungeKuttaChebyshev::solve(double kt, const Points& positions, Points
   report_.iterations += one.iterations;
   report_.error = one.error;
   report_.converged = one.converged;
-  report_.fault = one.fault;
+  report_.reason = one.reason;
   return one;
 }
 

@@ -1,4 +1,5 @@
 // What a case's scene requires of the solver, and what it does not.
+#include "solver/case/units.hpp"
 #include "solver/fluid/paper/paper_flow.hpp"
 #include "solver/fluid/quasisteady/quasisteady_flow.hpp"
 #include "solver/fluid/stokes/stokes_flow.hpp"
@@ -17,12 +18,28 @@ Orbits symmetry_of(const Case& c, const Points& initial) {
 namespace {
 
 std::unique_ptr<FlowModel> make_quasisteady(const Case& c, const TriangleMesh& mesh, const Orbits& orbits) {
-  if (c.fidelity.scheme == Scheme::paper) return std::make_unique<PaperFlow>(c, mesh);
-  const CompositeOptions options{
-      .dx = c.fidelity.dx, .box = c.fidelity.box, .Re = c.Re, .V = c.V, .tolerance = c.fidelity.tolerance};
-  if (c.fidelity.precision == Precision::double_)
+  const Fidelity& f = c.fidelity;
+  if (f.scheme == Scheme::paper)
+    return std::make_unique<PaperFlow>(
+        mesh, PaperOptions{.dx = f.dx, .box = f.box, .Re = c.Re, .V = c.V, .tolerance = f.tolerance});
+  const QuasisteadyOptions options{.dx = f.dx, .box = f.box, .Re = c.Re, .V = c.V, .tolerance = f.tolerance};
+  if (f.precision == Precision::double_)
     return std::make_unique<QuasisteadyFlow<double>>(mesh, orbits, options);
   return std::make_unique<QuasisteadyFlow<float>>(mesh, orbits, options);
+}
+
+std::unique_ptr<FlowModel> make_transient(const Case& c, const TriangleMesh& mesh) {
+  const LatticeOptions options{.units = transient_units(c), .box = c.fidelity.box, .V = c.V};
+  if (c.fidelity.precision == Precision::double_)
+    return std::make_unique<TransientFlow<double>>(mesh, options);
+  return std::make_unique<TransientFlow<float>>(mesh, options);
+}
+
+std::unique_ptr<FlowModel> make_stokes(const Case& c, const TriangleMesh& mesh, const Points& initial,
+                                       const Orbits& orbits) {
+  return std::make_unique<StokesFlow>(
+      mesh, orbits,
+      StokesOptions{.V = c.V, .volume = volume(initial, mesh.faces), .tolerance = c.fidelity.tolerance});
 }
 
 }  // namespace
@@ -31,13 +48,9 @@ std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, co
                                      const Orbits& orbits) {
   switch (c.fluid) {
     case Fluid::transient:
-      if (c.fidelity.precision == Precision::double_) return std::make_unique<TransientFlow<double>>(c, mesh);
-      return std::make_unique<TransientFlow<float>>(c, mesh);
+      return make_transient(c, mesh);
     case Fluid::stokes:
-      return std::make_unique<StokesFlow>(mesh, orbits,
-                                          StokesFlow::Options{.viscosity_ratio = c.V,
-                                                              .volume = volume(initial, mesh.faces),
-                                                              .tolerance = c.fidelity.tolerance});
+      return make_stokes(c, mesh, initial, orbits);
     case Fluid::quasisteady:
       break;
   }

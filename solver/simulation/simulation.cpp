@@ -92,7 +92,7 @@ Simulation::Simulation(const Case& c)
 
 std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
   if (!flow.converged)
-    return stopped(std::isfinite(flow.error) ? Stop::not_converged : Stop::diverged, flow.fault);
+    return stopped(std::isfinite(flow.error) ? Stop::not_converged : Stop::diverged, flow.reason);
   if (!now_.positions.allFinite()) return stopped(Stop::diverged, "a position of the membrane is not finite");
   constexpr double kMaxDrift = 0.1;  // the first symptom of a time step that is too large
   const double drift = volume(now_.positions, faces()) / initial_volume_ - 1;

@@ -1,4 +1,5 @@
 #pragma once
+// Relaxation rates for tests.
 #include "solver/fluid/lbm/collision.hpp"
 
 namespace capstan::testing {

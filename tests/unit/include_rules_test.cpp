@@ -16,12 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// From the bottom up. A folder may include itself and those before it: so no circles.
-const std::vector<std::string> kOrder = {
-    "solver/case",      "solver/run_directory", "solver/state",    "solver/mesh",   "solver/membrane",
-    "solver/observe",   "solver/grid",          "solver/coupling", "solver/fluid",  "solver/simulation",
-    "solver/output",    "solver/baseline",      "runner/study",    "runner/store",  "runner/queue",
-    "runner/recording", "runner/queries",       "runner/render",   "runner/daemon", "runner/doctor",
-    "runner/web",       "runner/worker",        "runner/cli"};
+const std::vector<std::string> kOrder = {"solver/grid",       "solver/case",     "solver/run_directory",
+                                         "solver/state",      "solver/mesh",     "solver/membrane",
+                                         "solver/observe",    "solver/coupling", "solver/fluid",
+                                         "solver/simulation", "solver/output",   "solver/baseline",
+                                         "runner/study",      "runner/store",    "runner/queue",
+                                         "runner/recording",  "runner/queries",  "runner/render",
+                                         "runner/daemon",     "runner/doctor",   "runner/web",
+                                         "runner/worker",     "runner/cli"};
 
 /// Place in the order; nothing for a folder that has none.
 std::optional<std::size_t> place_of(const std::string& folder) {
@@ -77,6 +79,28 @@ TEST(Includes, PointDownwards) {
     ASSERT_TRUE(above.has_value()) << folder_of(from) << " has no place in the order";
     ASSERT_TRUE(below.has_value()) << folder_of(to) << " has no place in the order";
     EXPECT_GE(*above, *below) << from << " includes " << to;
+  }
+}
+
+// Flow models take options: what a case is, only solver/simulation knows, which makes the options.
+TEST(Includes, NoGridCouplingOrFlowModelKnowsTheCase) {
+  for (const auto& [from, to] : all_includes())
+    for (const char* folder : {"solver/grid", "solver/coupling", "solver/fluid"})
+      EXPECT_FALSE(folder_of(from) == folder && folder_of(to) == "solver/case") << from << " includes " << to;
+}
+
+/// The folder of a flow model, e.g. "solver/fluid/paper"; empty for other files.
+std::string model_of(const std::string& path) {
+  const std::string fluid = "solver/fluid/";
+  const auto end = path.find('/', fluid.size());
+  return path.starts_with(fluid) && end != std::string::npos ? path.substr(0, end) : "";
+}
+
+TEST(Includes, FlowModelsKnowNoOtherModelButTheSharedLatticeBoltzmannCode) {
+  for (const auto& [from, to] : all_includes()) {
+    if (model_of(from).empty() || model_of(to).empty()) continue;
+    EXPECT_TRUE(model_of(to) == model_of(from) || model_of(to) == "solver/fluid/lbm")
+        << from << " includes " << to;
   }
 }
 

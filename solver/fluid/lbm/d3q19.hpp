@@ -23,7 +23,10 @@ inline constexpr std::array<Direction, kQ> e = {{
 /// Weights of the rest equilibrium: 1/3, 1/18 (axes), 1/36 (diagonals).
 inline constexpr double weight(int q) { return q == 0 ? 1.0 / 3 : q <= 6 ? 1.0 / 18 : 1.0 / 36; }
 
-/// opposite[q]: the direction -e[q].
+/// Component c (0, 1, 2 for x, y, z) of the direction q.
+inline constexpr int component(int q, int c) { return c == 0 ? e[q].x : c == 1 ? e[q].y : e[q].z; }
+
+/// opposite[q] is the direction -e[q].
 inline constexpr std::array<int, kQ> opposite = {0, 2,  1,  4,  3,  6,  5,  10, 9, 8,
                                                  7, 14, 13, 12, 11, 18, 17, 16, 15};
 
@@ -51,7 +54,7 @@ enum Moment {
   m_z
 };
 
-/// M_kq: the polynomials of the moments at the lattice directions. Rows are orthogonal.
+/// M_kq: the polynomial of the moment k at the lattice direction q. The rows of M are orthogonal.
 inline constexpr double moment_row(int k, int q) {
   const double x = e[q].x, y = e[q].y, z = e[q].z, r2 = x * x + y * y + z * z;
   switch (k) {
@@ -96,7 +99,7 @@ inline constexpr double moment_row(int k, int q) {
   }
 }
 
-/// Squared norm of a row of M.
+/// |M_k|^2, the squared norm of a row of M.
 inline constexpr double moment_norm2(int k) {
   double sum = 0;
   for (int q = 0; q < kQ; ++q) sum += moment_row(k, q) * moment_row(k, q);

@@ -5,45 +5,34 @@
 namespace capstan {
 namespace {
 
-/// The domain is centred on the capsule's initial centre; walls lie half a cell outside of the first cell's
-/// centre.
-GridGeometry finest_grid(const Fidelity& fidelity) {
-  return {Vec3::Constant(-0.5 * (fidelity.box - fidelity.dx)), fidelity.dx};
+/// Walls are half a cell outside of the centres of the outermost cells.
+GridGeometry geometry(const LatticeOptions& options) {
+  return {Vec3::Constant(-0.5 * (options.box - options.units.dx)), options.units.dx};
 }
 
 }  // namespace
 
-LatticeCoupling::LatticeCoupling(const Case& c, const TriangleMesh& mesh, const LatticeUnits& units)
-    : units_(units),
-      cells_(int(std::lround(c.fidelity.box / c.fidelity.dx))),
-      contrast_(c.V),
-      boundary_(finest_grid(c.fidelity)) {
-  if (c.has_viscosity_ratio())
-    viscosity_.emplace(finest_grid(c.fidelity), mesh, Orbits::without_symmetry(mesh.vertex_count()));
+IndexBox LatticeOptions::cells() const {
+  const int n = int(std::lround(box / units.dx));
+  return box_from_zero({n, n, n});
+}
+
+LatticeCoupling::LatticeCoupling(const TriangleMesh& mesh, const LatticeOptions& options)
+    : options_(options), boundary_(geometry(options)) {
+  if (options.V != 1)
+    viscosity_.emplace(geometry(options), mesh, Orbits::without_symmetry(mesh.vertex_count()));
 }
 
 bool LatticeCoupling::place_membrane(const Points& positions, const Points& forces) {
-  constexpr int kMargin = 1;  // the jump of viscosity is smoothed over two cells
+  constexpr int kMargin = 1;  // the jump of the viscosity is smoothed over two cells on either side
   if (!boundary_.place(positions, kMargin)) return false;
-  for (int c = 0; c < 3; ++c)
-    if (boundary_.box_lo()[c] < 0 || boundary_.box_lo()[c] + boundary_.box_size()[c] > cells_) return false;
-  force_.reset(boundary_.box_lo(), boundary_.box_size());
-  boundary_.spread(forces, units_.force_lu, force_);
+  if (!options_.cells().contains(boundary_.box())) return false;
+  force_.reset(boundary_.box());
+  boundary_.spread(forces, options_.units.force_lu, force_);
   if (viscosity_) {
-    nu_.reset(boundary_.box_lo(), boundary_.box_size());
-    viscosity_->update(positions, units_.nu_lu, contrast_ * units_.nu_lu, nu_);
-  }
-  return true;
-}
-
-bool LatticeCoupling::put_membrane(const Points& positions, const Points& forces, std::span<Level> levels) {
-  if (!place_membrane(positions, forces)) return false;
-  levels.front().set_force(&force_);
-  if (!viscosity_) return true;
-  ScalarBox on_level = nu_;
-  for (Level& level : levels) {
-    level.set_viscosity(on_level);
-    on_level = coarsened(on_level, units_.nu_lu);
+    const double ambient = options_.units.nu_lu;
+    nu_.reset(boundary_.box());
+    viscosity_->update(positions, ambient, options_.V * ambient, nu_);
   }
   return true;
 }

@@ -1,13 +1,12 @@
 #include "solver/fluid/quasisteady/convection.hpp"
 
-#include "solver/fluid/quasisteady/sweep.hpp"
-#include "solver/grid/for_each_row.hpp"
+#include "solver/fluid/quasisteady/moment_sweep.hpp"
 #include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 namespace {
 
-/// A row of cells; pointers at its first one.
+/// The same for one row of cells; pointers to its first cell.
 template <class T>
 CAPSTAN_VECTOR_UNITS void subtract(const T* moments, const Strides& s, int count, T half_inertia,
                                    T* __restrict defect) {
@@ -16,11 +15,11 @@ CAPSTAN_VECTOR_UNITS void subtract(const T* moments, const Strides& s, int count
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const T ux = half_inertia * gx[i], uy = half_inertia * gy[i], uz = half_inertia * gz[i];
-    const auto subtract_carried = [&](const T* g, int k) {
+    const auto subtract_one = [&](const T* g, int k) {
       defect[i + k * s.component] -=
           ux * (g[i + 1] - g[i - 1]) + uy * (g[i + s.y] - g[i - s.y]) + uz * (g[i + s.z] - g[i - s.z]);
     };
-    subtract_carried(gx, kGx), subtract_carried(gy, kGy), subtract_carried(gz, kGz);
+    subtract_one(gx, kGx), subtract_one(gy, kGy), subtract_one(gz, kGz);
   }
 }
 
@@ -28,9 +27,9 @@ CAPSTAN_VECTOR_UNITS void subtract(const T* moments, const Strides& s, int count
 
 template <class T>
 void subtract_convection(const RowField<T>& moments, double inertia, RowField<T>& defect) {
-  const Strides strides{moments.component_stride(), moments.y_stride(), moments.z_stride()};
   for_each_row(moments.box(), [&](int y, int z) {
-    subtract(moments.row(0, y, z), strides, moments.box().size(0), T(inertia / 2), defect.row(0, y, z));
+    subtract(moments.row(0, y, z), moments.strides(), moments.box().size(0), T(inertia / 2),
+             defect.row(0, y, z));
   });
 }
 

@@ -1,14 +1,15 @@
 #pragma once
-// How the flow carries its own momentum: Re (u . grad) u, of the deviation from the undisturbed flow with
-// itself. What the undisturbed flow has to do with grows with the distance from its centre and is part of
-// every sweep (sweep.hpp). This rest is of the order Re times the deviation, small everywhere, and kept over
+// Convection of momentum, Re (u . grad) u, where u is the deviation from the undisturbed flow. The terms that
+// contain the undisturbed flow grow with the distance from its centre, and are part of every sweep
+// (moment_sweep.hpp). The term here is quadratic in the deviation, small everywhere, and kept constant during
 // a solve like a force.
 #include "solver/grid/row_field.hpp"
 
 namespace capstan {
 
-/// defect of momentum -= inertia (g . grad) g in a field of moments, by central differences; ghosts are used.
-/// \param inertia Re nu dx / a
+/// Subtracts inertia (g . grad) g, by central differences, from the momentum components of `defect`.
+/// \param moments  their momentum is g; ghosts are used
+/// \param inertia  Re nu dx / a
 template <class T>
 void subtract_convection(const RowField<T>& moments, double inertia, RowField<T>& defect);
 

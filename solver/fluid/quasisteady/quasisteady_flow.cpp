@@ -9,24 +9,28 @@
 namespace capstan {
 namespace {
 
-// Smooth fast, and with the extrapolated start stay stable at one cycle a step, which an eigenvalue of the
-// cycle below -1/3 would not. Measured for 0.1 <= V <= 10.
+// Relaxation factors measured to smooth well for 0.1 <= V <= 10. With one cycle a step and linear
+// extrapolation in time the eigenvalues of the cycle must stay above -1/3, or errors would grow from step to
+// step; with these factors they do.
 constexpr Relaxation kRelaxation = {{0.9, 0.75}, 0.5};
 
 constexpr int kMaxCycles = 100;
-constexpr double kMinContraction = 0.2;
-// Two visits of the coarser grid from every patch; the small grids at the end are many and cost more than
-// they bring.
-constexpr CycleShape kCycle{.pre = 0, .post = 2, .visits = 2, .once = 2, .coarsest = 10};
+// Bounds of the estimated contraction factor of a cycle: at least 0.2 is assumed, and at most 0.95.
+constexpr double kMinContraction = 0.2, kMaxContraction = 0.95;
+// A W-cycle, but each of the two coarsest grids is visited once: visited twice they would cost more time than
+// they save.
+constexpr CycleShape kCycle{.pre = 0, .post = 2, .visits = 2, .single_visits = 2, .coarsest = 10};
 
-constexpr int kSmoothing = 2;  // cells beside the membrane over which the jump of viscosity is smoothed
+constexpr int kSmoothing =
+    2;  // cells on either side of the membrane over which the jump of the viscosity is smoothed
 
 GridGeometry finest_grid(double dx) { return {Vec3::Constant(dx / 2), dx}; }
 
 }  // namespace
 
 template <class T>
-QuasisteadyFlow<T>::QuasisteadyFlow(const TriangleMesh& mesh, Orbits orbits, const CompositeOptions& options)
+QuasisteadyFlow<T>::QuasisteadyFlow(const TriangleMesh& mesh, Orbits orbits,
+                                    const QuasisteadyOptions& options)
     : options_(options),
       domain_{int(std::lround(options.box / options.dx)), false, options.is_uniform},
       boundary_(finest_grid(options.dx), orbits) {
@@ -55,14 +59,14 @@ bool QuasisteadyFlow<T>::put_membrane(const Points& positions) {
   if (!boundary_.place(positions)) return false;
   const IndexBox capsule = boundary_.touched(kSmoothing);
   if (!domain_.box(0).contains(capsule)) return false;
-  follow(capsule);
+  move_boxes(capsule);
   return true;
 }
 
-/// Boxes follow the capsule; the coarser ones first, for a finer one is interpolated from them where it is
-/// new.
+/// Moves the grids with the capsule, coarse ones first: new cells of a grid are interpolated from the next
+/// coarser one.
 template <class T>
-void QuasisteadyFlow<T>::follow(const IndexBox& capsule) {
+void QuasisteadyFlow<T>::move_boxes(const IndexBox& capsule) {
   const std::vector<IndexBox> boxes = plan_boxes(domain_, capsule, boxes_);
   if (grids_.empty()) make_grids(boxes);
   for (int grid = int(boxes.size()) - 2; grid >= 0; --grid)
@@ -80,32 +84,34 @@ void QuasisteadyFlow<T>::make_grids(const std::vector<IndexBox>& boxes) {
 template <class T>
 void QuasisteadyFlow<T>::put_viscosity(const Points& positions) {
   const IndexBox capsule = boundary_.touched(kSmoothing);
-  ScalarBox ratio;
-  ratio.reset(capsule.lo, capsule.sizes());
+  ScalarField ratio;
+  ratio.reset(capsule);
   viscosity_->update(positions, 1, options_.V, ratio);
-  for (Grid<T>& grid : grids_) {
+  for (MomentGrid<T>& grid : grids_) {
     grid.set_viscosity(ratio);
     ratio = coarsened(ratio, 1);
   }
 }
 
-// Linear in time: what is left for the cycles is the second difference of the flow.
+// Linear extrapolation in time: its error, which the cycles must reduce, is the second difference of the flow
+// in time.
 template <class T>
 void QuasisteadyFlow<T>::extrapolate_to(double kt) {
   if (!solved_at_.empty() && kt == solved_at_.back()) return;
   const double weight =
       solved_at_.size() < 2 ? 0 : (kt - solved_at_.back()) / (solved_at_.back() - solved_at_.front());
-  for (Grid<T>& grid : grids_) grid.extrapolate(weight);
+  for (MomentGrid<T>& grid : grids_) grid.extrapolate(weight);
   if (solved_at_.size() == 2) solved_at_.erase(solved_at_.begin());
   solved_at_.push_back(kt);
 }
 
-// Between two solves the finest grid holds velocities, not momentum: forces change with every cell that the
-// membrane passes, velocities little, and it is velocities that are extrapolated.
+// Between two solves the finest grid holds velocities u instead of momenta g = u + F/2: forces in a cell
+// change strongly while the membrane passes it, velocities change little, so velocities are what can be
+// extrapolated.
 template <class T>
 void QuasisteadyFlow<T>::put_forces(const Points& forces) {
   boundary_.spread(forces, kAmbientViscosity / options_.dx, force_);
-  for (Grid<T>& grid : grids_) {
+  for (MomentGrid<T>& grid : grids_) {
     grid.clear_force();
     grid.add_convection();
   }
@@ -113,10 +119,10 @@ void QuasisteadyFlow<T>::put_forces(const Points& forces) {
   grids_.front().add_momentum(0.5, force_);
 }
 
-/// u = g - F/2 and the undisturbed shear, which is exact at the vertex itself.
+/// u = g - F/2, interpolated, plus the undisturbed flow, which is evaluated at the vertices themselves.
 template <class T>
 void QuasisteadyFlow<T>::vertex_velocities(const Points& positions, Points& velocities) {
-  velocity_.reset(force_.lo(), force_.size());
+  velocity_.reset(force_.box());
   grids_.front().momentum(velocity_);
   add_scaled(-0.5, force_, velocity_);
   boundary_.interpolate(velocity_, velocities);
@@ -128,15 +134,15 @@ void QuasisteadyFlow<T>::cycle() {
   fas_cycle(std::span(grids_), kCycle);
 }
 
-/// The next solve starts from rest: nothing can be computed from numbers that are not finite.
+/// Makes the next solve start from the undisturbed flow: the present numbers are not finite.
 template <class T>
 void QuasisteadyFlow<T>::forget_flow() {
   grids_.clear();
   solved_at_.clear();
 }
 
-// The change of one cycle is not its error: with contraction rho the cycles to come would add change rho/(1 -
-// rho). Differs from the paper, which stops on the change (eq. 26).
+// The error after a cycle is estimated by the sum of all further changes: with the contraction factor rho of
+// a cycle, change * rho / (1 - rho). Differs from the paper, which stops on the change itself (eq. 26).
 template <class T>
 FlowReport QuasisteadyFlow<T>::cycle_until_converged(const Points& positions, Points& velocities) {
   Points last;
@@ -149,9 +155,10 @@ FlowReport QuasisteadyFlow<T>::cycle_until_converged(const Points& positions, Po
     vertex_velocities(positions, velocities);
     const double change = (velocities - last).norm() / velocities.norm();
     if (!std::isfinite(change)) return lost_flow("the flow is not finite");
-    // the first ratios flatter: smooth errors, which converge last, have not shown yet
-    const double contraction =
-        report.iterations > 1 ? std::clamp(change / last_change, kMinContraction, 0.95) : first_contraction_;
+    // Early contraction ratios are optimistic, hence the minimum: smooth error dominates later.
+    const double contraction = report.iterations > 1
+                                   ? std::clamp(change / last_change, kMinContraction, kMaxContraction)
+                                   : first_contraction_;
     if (report.iterations == 2) first_contraction_ = contraction;
     report.error = change * contraction / (1 - contraction);
     if (report.error <= options_.tolerance) return report;
@@ -159,7 +166,7 @@ FlowReport QuasisteadyFlow<T>::cycle_until_converged(const Points& positions, Po
     last = velocities;
   }
   report.converged = false;
-  report.fault = "the multigrid cycles did not converge: raise tolerance, or take the fluid stokes";
+  report.reason = "the multigrid cycles did not converge: raise tolerance, or take the fluid stokes";
   return report;
 }
 
@@ -169,7 +176,7 @@ void QuasisteadyFlow<T>::save(StateArchive& archive) const {
   for (std::size_t grid = 0; grid < grids_.size(); ++grid) {
     for (int axis = 0; axis < 3; ++axis)
       boxes.push_back(boxes_[grid].lo[axis]), boxes.push_back(boxes_[grid].hi[axis]);
-    Grid<T>::visit_state(grids_[grid], [&](const char* name, const RowField<T>& field) {
+    MomentGrid<T>::visit_state(grids_[grid], [&](const char* name, const RowField<T>& field) {
       const auto numbers = field.data();
       archive.put("fluid/" + std::to_string(grid) + "/" + name,
                   std::vector<double>(numbers.begin(), numbers.end()));
@@ -191,7 +198,7 @@ void QuasisteadyFlow<T>::load(const StateArchive& archive) {
   grids_.clear();
   make_grids(boxes_);
   for (std::size_t grid = 0; grid < grids_.size(); ++grid)
-    Grid<T>::visit_state(grids_[grid], [&](const char* name, RowField<T>& field) {
+    MomentGrid<T>::visit_state(grids_[grid], [&](const char* name, RowField<T>& field) {
       const auto saved = archive.get("fluid/" + std::to_string(grid) + "/" + name);
       const auto state = field.data();
       if (saved.size() != state.size()) throw std::runtime_error("checkpoint has another grid");

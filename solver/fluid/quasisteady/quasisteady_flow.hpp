@@ -1,46 +1,49 @@
 #pragma once
-// Steady flow at every instant (the paper's method, section III) on a composite of grids around the capsule,
-// and on a quarter of them where the capsule is symmetric.
+// Steady flow at every instant (the paper's method, section III) on a composite grid, which is fine around
+// the capsule only; for a symmetric capsule on a quarter of it.
 //
-// Differs from the paper: the populations' free moments are relaxed at once (sweep.hpp), the fine grid covers
-// the capsule alone, the solution starts from an extrapolation in time, and cycles stop on an estimate of the
-// error.
+// Differs from the paper: the free moments have the relaxation rate 1, so that the equation is solved in
+// moments (moment_sweep.hpp); the fine grid covers only the surroundings of the capsule; a solve starts from
+// an extrapolation in time; cycles stop on an estimate of the error.
 #include <vector>
 
 #include "solver/coupling/viscosity_field.hpp"
 #include "solver/fluid/flow_model.hpp"
-#include "solver/fluid/quasisteady/grid.hpp"
-#include "solver/fluid/quasisteady/layout.hpp"
+#include "solver/fluid/quasisteady/composite_boxes.hpp"
+#include "solver/fluid/quasisteady/moment_grid.hpp"
 #include "solver/fluid/quasisteady/symmetric_boundary.hpp"
 
 namespace capstan {
 
-struct CompositeOptions {
+struct QuasisteadyOptions {
   double dx = 0.1;          ///< finest spacing / a
   double box = 12.8;        ///< edge of the domain / a
-  double Re = 0.05;         ///< 0: without convection
+  double Re = 0.05;         ///< 0: no convection
   double V = 1;             ///< viscosity ratio
-  double tolerance = 1e-3;  ///< relative error of the vertices' velocities
+  double tolerance = 1e-3;  ///< estimated relative error of the velocities of the membrane
   bool is_uniform = false;  ///< the finest grid covers the whole domain
 };
 
-/// \tparam T of the numbers on the grids: float or double
+/// \tparam T  float or double: the type of the numbers on the grids
 template <class T>
 class QuasisteadyFlow : public FlowModel {
  public:
-  QuasisteadyFlow(const TriangleMesh& mesh, Orbits orbits, const CompositeOptions& options);
+  /// \param orbits  the symmetry of the capsule, which all positions passed to solve() must have; without
+  /// symmetry the whole
+  ///                domain is solved for
+  QuasisteadyFlow(const TriangleMesh& mesh, Orbits orbits, const QuasisteadyOptions& options);
 
   FlowReport solve(double kt, const Points& positions, const Points& forces, Points& velocities) override;
   void save(StateArchive& archive) const override;
   void load(const StateArchive& archive) override;
 
-  /// One multigrid cycle; a solve takes as many as it needs. After the first solve.
+  /// One multigrid cycle, for measurements. Requires a solve before.
   void cycle();
-  const std::vector<Grid<T>>& grids() const { return grids_; }
+  const std::vector<MomentGrid<T>>& grids() const { return grids_; }
 
  private:
   bool put_membrane(const Points& positions);
-  void follow(const IndexBox& capsule);
+  void move_boxes(const IndexBox& capsule);
   void make_grids(const std::vector<IndexBox>& boxes);
   void put_viscosity(const Points& positions);
   void put_forces(const Points& forces);
@@ -49,16 +52,18 @@ class QuasisteadyFlow : public FlowModel {
   void forget_flow();
   FlowReport cycle_until_converged(const Points& positions, Points& velocities);
 
-  CompositeOptions options_;
+  QuasisteadyOptions options_;
   Domain domain_;
   SymmetricBoundary boundary_;
   std::optional<ViscosityField> viscosity_;  ///< none for V = 1
+  // State: with the state of each grid it is what a checkpoint holds
   std::vector<IndexBox> boxes_;
-  std::vector<Grid<T>> grids_;      ///< finest first; none before the first solve
-  VectorBox force_;                 ///< of the membrane on the finest grid
-  VectorBox velocity_;              ///< workspace: in the same cells
-  std::vector<double> solved_at_;   ///< times of the last two solves
-  double first_contraction_ = 0.3;  ///< of the error by the first cycle of a solve, as last seen
+  std::vector<MomentGrid<T>> grids_;  ///< finest first; none before the first solve
+  std::vector<double> solved_at_;     ///< kt of the last two solves, or fewer
+  double first_contraction_ = 0.3;    ///< contraction factor of the first cycle, measured in an earlier solve
+  // Scratch of a solve
+  VectorField force_;     ///< of the membrane on the finest grid
+  VectorField velocity_;  ///< in the same cells
 };
 
 }  // namespace capstan

@@ -1,10 +1,10 @@
 #pragma once
-// The immersed boundary on a grid of which the symmetric capsule needs a quarter: y, z >= 0. Of each orbit of
-// vertices one is spread and interpolated, where its image in that quarter stands; what it spreads beyond the
-// planes y = 0 and z = 0 comes back as the share of its other images. Without symmetry every vertex is its
+// The immersed boundary method on a quarter of the grid, y, z >= 0, for a symmetric capsule
+// (in_plane_symmetry.hpp). Of each orbit of vertices only one is spread and interpolated, at its image in
+// that quarter. Forces that it spreads to cells beyond the planes y = 0 and z = 0 are added to the images of
+// these cells: they are the shares of the other vertices of the orbit. Without symmetry every vertex is its
 // own orbit and the grid is whole.
 #include "solver/coupling/immersed_boundary.hpp"
-#include "solver/grid/index_box.hpp"
 #include "solver/mesh/in_plane_symmetry.hpp"
 
 namespace capstan {
@@ -15,26 +15,26 @@ class SymmetricBoundary {
 
   bool has_symmetry() const { return !orbits_.are_trivial(); }
 
-  /// Places the vertices (3 x #V). False when a position is not finite.
+  /// Computes the weights for these positions (3 x #V). Returns false if a position is not finite.
   bool place(const Points& positions);
 
-  /// The cells they touch, with `margin` more on every side.
+  /// The cells that the vertices touch, with `margin` more on every side; in a quarter, from y = z = 0 on.
   IndexBox touched(int margin = 0) const;
 
-  /// sum_k scale forces_k delta(x - X_k), in the cells touched.
-  void spread(const Points& forces, double scale, VectorBox& box);
+  /// field(x) = scale * sum_k forces_k delta(x - X_k), in the cells touched().
+  void spread(const Points& forces, double scale, VectorField& field);
 
-  /// velocities_k = sum_x u(x) delta(x - X_k), from the cells touched.
-  void interpolate(const VectorBox& box, Points& velocities);
+  /// velocities_k = sum_x field(x) delta(x - X_k). The field covers touched().
+  void interpolate(const VectorField& field, Points& velocities);
 
  private:
   Points folded(const Points& of_representatives) const;
-  IndexBox extended() const;
+  IndexBox unfolded() const;
 
   Orbits orbits_;
   ImmersedBoundary boundary_;
-  VectorBox extended_box_;  ///< workspace: the cells touched, beyond the planes too
-  Points signs_;            ///< 3 x #representatives: +-1, of the symmetry that takes one into the quarter
+  Points signs_;  ///< 3 x #representatives: +-1 a component, the symmetry that takes each into the quarter
+  VectorField unfolded_;  ///< scratch: the cells touched, those beyond the planes included
 };
 
 }  // namespace capstan

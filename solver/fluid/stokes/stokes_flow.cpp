@@ -12,7 +12,8 @@ namespace capstan {
 namespace {
 
 constexpr int kMaxProducts = 150;
-constexpr double kVolumeRate = 10;  // fast against the flow, slow against the membrane
+constexpr double kVolumeRate =
+    10;  // units k: fast compared with the flow, slow compared with the elastic relaxation
 
 Points shear_flow(const Points& positions) {
   Points velocities = Points::Zero(3, positions.cols());
@@ -20,12 +21,13 @@ Points shear_flow(const Points& positions) {
   return velocities;
 }
 
+/// sum_i v_i . N_i, the flux of a vector field through the surface.
 double flux(const Points& vectors, const Surface& surface) {
   return vectors.cwiseProduct(surface.vertex_area_vectors).sum();
 }
 
-/// A pressure drives no flow, but a discrete one would: forces along N are taken out as far as they are one
-/// pressure.
+/// Forces without their component along N, that of a uniform pressure. A uniform pressure drives no flow, but
+/// its discretisation does.
 Points without_pressure(const Points& forces, const Surface& surface) {
   const Points& area_vectors = surface.vertex_area_vectors;
   return forces - flux(forces, surface) / area_vectors.squaredNorm() * area_vectors;
@@ -33,7 +35,7 @@ Points without_pressure(const Points& forces, const Surface& surface) {
 
 }  // namespace
 
-StokesFlow::StokesFlow(const TriangleMesh& mesh, Orbits orbits, const Options& options)
+StokesFlow::StokesFlow(const TriangleMesh& mesh, Orbits orbits, const StokesOptions& options)
     : mesh_(mesh),
       orbits_(std::move(orbits)),
       neighbourhood_(mesh_, orbits_.representatives()),
@@ -45,7 +47,7 @@ FlowReport StokesFlow::solve(double, const Points& positions, const Points& forc
   const std::vector<CloseFace> close = neighbourhood_.close_faces(surface);
   const Points driven = orbits_.restrict(shear_flow(positions)) +
                         single_layer(surface, neighbourhood_, close, without_pressure(forces, surface));
-  const FlowReport report = solve_for_contrast(surface, close, driven);
+  const FlowReport report = solve_integral_equation(surface, close, driven);
 
   const Points normals = surface.vertex_area_vectors.colwise().normalized();
   const double drift = volume(positions, mesh_.faces) - options_.volume;
@@ -55,10 +57,10 @@ FlowReport StokesFlow::solve(double, const Points& positions, const Points& forc
   return report;
 }
 
-/// Solves u - (1 - V) K u = u_driven into `last_`, at the representatives.
-FlowReport StokesFlow::solve_for_contrast(const Surface& surface, const std::vector<CloseFace>& close,
-                                          const Points& driven) {
-  if (options_.viscosity_ratio == 1) {
+/// Solves u - (1 - V) K u = driven at the representatives. The solution is last_.
+FlowReport StokesFlow::solve_integral_equation(const Surface& surface, const std::vector<CloseFace>& close,
+                                               const Points& driven) {
+  if (options_.V == 1) {
     last_ = driven;
     return {.iterations = 1};
   }
@@ -66,7 +68,7 @@ FlowReport StokesFlow::solve_for_contrast(const Surface& surface, const std::vec
   const DoubleLayer double_layer(surface, neighbourhood_, close);
   const auto apply = [&](const Eigen::VectorXd& u) -> Eigen::VectorXd {
     const Points all = orbits_.extend(u.reshaped(3, u.size() / 3));
-    return u - (1 - options_.viscosity_ratio) * double_layer.apply(all).reshaped();
+    return u - (1 - options_.V) * double_layer.apply(all).reshaped();
   };
   Eigen::VectorXd u = last_.reshaped();
   const LinearSolution solution = solve_gmres(apply, driven.reshaped(), options_.tolerance, kMaxProducts, u);
@@ -74,7 +76,7 @@ FlowReport StokesFlow::solve_for_contrast(const Surface& surface, const std::vec
   FlowReport report{.iterations = solution.products, .error = solution.relative_error};
   if (!(solution.relative_error <= options_.tolerance)) {
     report.converged = false;
-    report.fault =
+    report.reason =
         "the boundary integral equation did not converge: raise tolerance, take V nearer to 1, or the fluid "
         "quasisteady";
   }

@@ -1,26 +1,24 @@
 #pragma once
 // The lattice Boltzmann equation in time on a box of cells between two moving walls in y, periodic in x and
-// z: the same equation as Level::step, in one pass over one array.
+// z: the equation of PopulationGrid::step, solved with one set of populations instead of two.
 //
-// Streaming in place (Bailey et al. 2009, the "AA" pattern). A population q of a cell x has one of two
-// places:
-//   streamed   in the cell itself, array q
-//   collided   in the cell it comes from, x - e_q, in the array of the opposite direction
-// A step reads a cell's populations from one kind of place, collides them, and writes each where its opposite
-// was read; that is the other kind of place of the next step. So every number is read and written once a
-// step, by one cell alone: 2 x 19 numbers of memory traffic an update, none for arrays that are only written
-// to, half the memory of two arrays; and cells may be taken in any order by any number of threads, with the
-// same result to the last bit.
+// Streaming in place (Bailey et al. 2009, the "AA" pattern). In turn, after every step, the population q that
+// arrives at a cell x is stored
+//   streamed   in the cell x itself, array q
+//   collided   in the cell x - e_q that it comes from, in the array of the opposite direction
+// A step reads the 19 populations of a cell, collides them, and writes each to the memory of its opposite.
+// Their memory is then of the other kind. Each number is thus read and written once per step, by one cell
+// only. So an update moves 2 x 19 numbers, half the memory of two sets suffices, and cells may be updated in
+// any order by any number of threads with the same result, bit for bit.
 //
-// Half-way bounce-back needs no other place: what comes from the wall stands where the cell put what went
-// there.
-#include <array>
+// Half-way bounce-back needs no further memory: a population that the wall reflects is read where the cell
+// wrote the one that went to the wall.
 #include <cstddef>
 #include <vector>
 
 #include "solver/fluid/lbm/collision.hpp"
-#include "solver/fluid/lbm/population_field.hpp"
-#include "solver/grid/cell_box.hpp"
+#include "solver/fluid/lbm/populations.hpp"
+#include "solver/grid/cell_field.hpp"
 #include "solver/grid/huge_pages.hpp"
 #include "solver/state/state_archive.hpp"
 
@@ -33,53 +31,58 @@ struct LatticeSettings {
   double inertia = 1;  ///< see collide()
 };
 
-/// Real: float or double, of the stored populations and of the collision.
+/// \tparam Real  float or double: the type of the populations and of the arithmetic of the collision
 template <class Real>
 class InPlaceLattice {
  public:
-  InPlaceLattice(Extent extent, const LatticeSettings& settings);
+  /// \param box  the cells of the domain, numbered from 0
+  InPlaceLattice(const IndexBox& box, const LatticeSettings& settings);
 
   /// One time step.
   void step();
 
   /// Couette flow u_x proportional to y, with its viscous stress.
   void set_couette();
-  /// Force on the fluid and viscosity, lattice units, in the cells of a box that stays owned by the caller.
-  /// Null: no force, the ambient viscosity.
-  void set_force(const VectorBox* force) { force_ = force; }
-  void set_viscosity(const ScalarBox* nu_lu) { viscosity_ = nu_lu; }
+  /// Force on the fluid and viscosity, lattice units. The fields must outlive the lattice. Null: no force,
+  /// the ambient viscosity.
+  void set_force(const VectorField* force) { force_ = force; }
+  void set_viscosity(const ScalarField* nu_lu) { viscosity_ = nu_lu; }
 
-  Extent extent() const { return extent_; }
-  /// The populations of a row of cells that a step would collide: 19 arrays of nx numbers.
+  const IndexBox& box() const { return box_; }
+  /// The populations of a row of cells before collision: 19 arrays of nx numbers, one after the other.
   void read_row(int y, int z, std::vector<Real>& populations) const;
-  /// Velocities in the cells of the box (lattice units): j + F/2 (eq. 18).
-  void velocity(VectorBox& box) const;
+  /// u = j + F/2 (eq. 18) in the cells of the field's box, lattice units.
+  void velocity(VectorField& u) const;
 
   void save(StateArchive& archive) const;
   void load(const StateArchive& archive);
 
  private:
-  enum class Places { streamed, collided };
+  enum class Storage { streamed, collided };
   struct RowCoefficients;
-  using Row = std::array<Real*, d3q19::kQ>;
+  using Row = PopulationRow<Real>;
 
   Real* array(int q, int y, int z);
   bool comes_from_wall(int q, int y) const;
   bool wraps(int q, int y) const { return d3q19::e[q].x != 0 && !comes_from_wall(q, y); }
-  Real* place(int q, int y, int z);
-  const Real* place(int q, int y, int z) const { return const_cast<InPlaceLattice*>(this)->place(q, y, z); }
+  Real* population(int q, int y, int z);
+  const Real* population(int q, int y, int z) const {
+    return const_cast<InPlaceLattice*>(this)->population(q, y, z);
+  }
   void step_row(int y, int z, RowCoefficients& coefficients);
-  void push_walls(int y, const Row& row) const;
+  void add_momentum_from_walls(int y, const Row& row) const;
   void take_from_ghosts(int y, const Row& row) const;
   void put_into_ghosts(int y, const Row& row) const;
 
   LatticeSettings settings_;
-  Extent extent_;
+  IndexBox box_;
   std::size_t row_stride_, array_stride_;
+  // State, which a checkpoint holds
   std::vector<Real, HugePageAllocator<Real>> populations_;
-  Places places_ = Places::streamed;
-  const VectorBox* force_ = nullptr;
-  const ScalarBox* viscosity_ = nullptr;
+  Storage storage_ = Storage::streamed;
+  // Inputs of a step
+  const VectorField* force_ = nullptr;
+  const ScalarField* viscosity_ = nullptr;
 };
 
 extern template class InPlaceLattice<float>;

@@ -1,27 +1,13 @@
 #include "solver/fluid/transient/transient_flow.hpp"
 
-#include <cmath>
-
 namespace capstan {
-namespace {
-
-Extent extent_of(const Case& c) {
-  const int n = int(std::lround(c.fidelity.box / c.fidelity.dx));
-  return {n, n, n};
-}
-
-LatticeSettings settings_of(const Case& c) {
-  const double wall_speed = 0.5 * c.fidelity.box * transient_units(c).velocity_lu;
-  return {.rates = kPaperRates, .nu_lu = kTransientViscosity, .wall_speed = wall_speed};
-}
-
-}  // namespace
 
 template <class Real>
-TransientFlow<Real>::TransientFlow(const Case& c, const TriangleMesh& mesh)
-    : kdt_(transient_units(c).kdt),
-      lattice_(extent_of(c), settings_of(c)),
-      coupling_(c, mesh, transient_units(c)) {
+TransientFlow<Real>::TransientFlow(const TriangleMesh& mesh, const LatticeOptions& options)
+    : kdt_(options.units.kdt),
+      lattice_(options.cells(),
+               {.rates = kPaperRates, .nu_lu = options.units.nu_lu, .wall_speed = options.wall_speed()}),
+      coupling_(mesh, options) {
   lattice_.set_couette();
 }
 

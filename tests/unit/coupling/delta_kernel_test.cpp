@@ -5,7 +5,7 @@
 namespace capstan {
 namespace {
 
-/// Positions in cells, among them cell centres, faces between cells and negative ones.
+/// Positions in cells: also cell centres, faces between cells, and negative ones.
 std::vector<double> positions() {
   std::vector<double> all;
   for (int i = -30; i <= 30; ++i) all.push_back(i / 12.0);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/grid/for_each_row.hpp"
 #include "solver/mesh/geometry.hpp"
 #include "solver/mesh/shapes.hpp"
 #include "tests/support/test_names.hpp"
@@ -13,22 +14,22 @@
 namespace capstan {
 namespace {
 
-/// The viscosity around a membrane in a box of 3.2 about the origin.
+/// The viscosity around a membrane, in a cube of edge 3.2 around the origin.
 class Field {
  public:
   Field(const Points& positions, const TriangleMesh& mesh, double dx, double inner)
       : grid_{.origin = Vec3::Constant(0.5 * dx - 1.6), .dx = dx} {
     const int n = int(std::lround(3.2 / dx));
-    viscosity_.reset({0, 0, 0}, {n, n, n});
+    viscosity_.reset(box_from_zero({n, n, n}));
     ViscosityField(grid_, mesh, Orbits::without_symmetry(mesh.vertex_count()))
         .update(positions, kAmbient, inner, viscosity_);
   }
 
-  /// visit(cell centre, viscosity)
+  /// Calls visit(cell centre, viscosity) for all cells.
   template <class Visit>
   void for_each_cell(const Visit& visit) const {
-    viscosity_.for_each_row([&](int y, int z) {
-      for (int x = 0; x < viscosity_.size()[0]; ++x)
+    for_each_row_in_order(viscosity_.box(), [&](int y, int z) {
+      for (int x = 0; x < viscosity_.box().size(0); ++x)
         visit(Vec3(grid_.origin + grid_.dx * Vec3(x, y, z)), viscosity_.row(0, y, z)[x]);
     });
   }
@@ -37,10 +38,10 @@ class Field {
 
  private:
   GridGeometry grid_;
-  ScalarBox viscosity_;
+  ScalarField viscosity_;
 };
 
-/// The volume filled with the inner viscosity, counting a cell by how much of the jump it has made.
+/// The volume filled with the inner viscosity: each cell counts with its share of the jump.
 double filled_volume(const Field& field, double dx, double inner) {
   double cells = 0;
   field.for_each_cell(
@@ -64,7 +65,7 @@ TEST_P(BothSidesOfOne, SphereHasTheExactSmoothedJump) {
   EXPECT_LT(worst, 0.005);
 }
 
-TEST_P(BothSidesOfOne, BiconcaveIsFilledAndNothingElse) {
+TEST_P(BothSidesOfOne, OnlyTheBiconcaveCapsuleIsFilled) {
   const Icosphere sphere = make_icosphere(4);
   Case c;
   c.shape = Shape::biconcave;
@@ -83,7 +84,7 @@ TEST_P(BothSidesOfOne, BiconcaveIsFilledAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(ViscosityField, BothSidesOfOne, ::testing::Values(0.1, 10.0),
                          capstan::testing::number_names("V"));
 
-/// The rim of the biconcave shape lies around the circle of its greatest thickness.
+// Cells near the circle along which the biconcave shape is thickest.
 TEST(ViscosityField, RimOfABiconcaveShapeIsInsideAllAround) {
   const Icosphere sphere = make_icosphere(4);
   Case c;
@@ -101,9 +102,9 @@ TEST(ViscosityField, RimOfABiconcaveShapeIsInsideAllAround) {
   EXPECT_GT(deep, 500);
 }
 
-// Smoothing with a kernel of variance s^2 adds 3 s^2 to the unit sphere's volume; that of eq. 41 has
-// s^2 = 4 dx^2 (1/3 - 2/pi^2).
-TEST(ViscosityField, SphereIsOverfilledByWhatItsSmoothingImpliesAndNoMore) {
+// Smoothing with a kernel of variance s^2 increases the volume of the unit sphere by the factor 1 + 3 s^2.
+// The kernel of eq. 41 has s^2 = 4 dx^2 (1/3 - 2/pi^2).
+TEST(ViscosityField, SphereIsOverfilledByTheEffectOfSmoothingOnly) {
   const Icosphere sphere = make_icosphere(4);
   const double exact = volume(sphere.directions, sphere.mesh.faces);
   for (double dx : {0.2, 0.1, 0.05}) {

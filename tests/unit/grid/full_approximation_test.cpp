@@ -8,9 +8,8 @@
 namespace capstan {
 namespace {
 
-/// -u'' + u^3 = b on (0, 1), u = 0 at the ends, with second-order differences and damped Jacobi sweeps: a
-/// problem that has nothing to do with lattices and is not linear, so that storing the full approximation
-/// matters.
+/// -u'' + u^3 = b on (0, 1), u = 0 at the ends, by second-order differences and damped Jacobi sweeps. A
+/// problem without a lattice, and nonlinear, so that full approximation storage is needed.
 class NonlinearPoisson {
  public:
   explicit NonlinearPoisson(int intervals)
@@ -66,11 +65,11 @@ int cycles_to_reduce(double factor, int intervals) {
   return cycles;
 }
 
-TEST(FasCycle, SolvesANonlinearProblemInAFewCyclesWhateverTheGrid) {
+TEST(FasCycle, SolvesANonlinearProblemInAFewCyclesOnEveryGrid) {
   for (int intervals : {32, 128, 512}) EXPECT_LE(cycles_to_reduce(1e-8, intervals), 9) << intervals;
 }
 
-TEST(FasCycle, LeavesASolutionAlone) {
+TEST(FasCycle, DoesNotChangeASolution) {
   auto levels = hierarchy(64);
   for (int cycle = 0; cycle < 30; ++cycle) fas_cycle(std::span(levels), CycleShape{});
   const std::vector<double> solution = levels[0].u;
@@ -78,7 +77,7 @@ TEST(FasCycle, LeavesASolutionAlone) {
   for (size_t i = 0; i < solution.size(); ++i) EXPECT_NEAR(levels[0].u[i], solution[i], 1e-12);
 }
 
-TEST(FasCycle, OnOneLevelIsTheCoarsestSolver) {
+TEST(FasCycle, OnOneLevelDoesTheSweepsOfTheCoarsest) {
   auto levels = hierarchy(4);
   const double before = levels[0].residual_norm();
   fas_cycle(std::span(levels), CycleShape{.coarsest = 20});

@@ -92,7 +92,7 @@ TEST(RungeKuttaChebyshev, AFlowThatIsLostForGoodEndsWithItsReason) {
   Points x = Points::Zero(3, 1);
   const FlowReport report = stepper.advance(lost, 0, 0.1, Points::Ones(3, 1), x).flow;
   EXPECT_FALSE(report.converged);
-  EXPECT_EQ(report.fault, "no flow at all");
+  EXPECT_EQ(report.reason, "no flow at all");
 }
 
 TEST(RungeKuttaChebyshev, GivesUpWhereTheMembraneHasBecomeFarStifferThanAtItsStart) {
@@ -108,7 +108,7 @@ TEST(RungeKuttaChebyshev, GivesUpWhereTheMembraneHasBecomeFarStifferThanAtItsSta
     step = stepper.advance(field, step.kt, 1, u, x);
   }
   EXPECT_NEAR(step.kt, 0.62, 0.1);  // where the rate is 1e6
-  EXPECT_EQ(step.flow.fault, "the membrane has become thousands of times as stiff as it was");
+  EXPECT_EQ(step.flow.reason, "the membrane has become thousands of times as stiff as it was");
 }
 
 }  // namespace

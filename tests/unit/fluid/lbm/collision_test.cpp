@@ -16,7 +16,7 @@ using testing::kQuasisteadyRates;
 using namespace d3q19;
 using Cell = std::array<double, kQ>;
 
-/// The collision of one cell, with its populations in Real.
+/// The populations of one cell after the collision, computed in the type Real.
 template <class Real = double>
 Cell collided(const Cell& f, double s_nu, std::array<double, 3> force, const MrtRates& rates,
               double inertia) {
@@ -47,7 +47,7 @@ double moment(const Cell& f, int k) {
   return sum;
 }
 
-/// Paper eq. 13 as a matrix product, with the equilibrium of d'Humieres et al. 2002 written moment by moment.
+/// Paper eq. 13 by matrix products, with the equilibrium of d'Humieres et al. 2002 for each moment.
 Cell collided_by_matrices(const Cell& f, double s, std::array<double, 3> force, const MrtRates& r,
                           double inertia) {
   const double rho = moment(f, m_rho);
@@ -101,11 +101,11 @@ TEST(D3Q19, OppositeDirectionsCancel) {
   }
 }
 
-constexpr MrtRates kRatesOfTheirOwn = {1.1, 1.2, 1.3, 1.4, 1.5, 0.3, -0.7, -0.2};
+constexpr MrtRates kDistinctRates = {1.1, 1.2, 1.3, 1.4, 1.5, 0.3, -0.7, -0.2};
 
 TEST(Collision, EqualsTheMatrixFormOfThePaper) {
   const std::array<double, 3> force = {0.01, -0.02, 0.03};
-  for (const MrtRates& rates : {kPaperRates, kQuasisteadyRates, kRatesOfTheirOwn}) {
+  for (const MrtRates& rates : {kPaperRates, kQuasisteadyRates, kDistinctRates}) {
     const Cell f = random_cell(1);
     const Cell expected = collided_by_matrices(f, 1.3, force, rates, 2);
     const Cell found = collided(f, 1.3, force, rates, 2), in_float = collided<float>(f, 1.3, force, rates, 2);
@@ -116,7 +116,7 @@ TEST(Collision, EqualsTheMatrixFormOfThePaper) {
   }
 }
 
-/// 37 cells, so that there are whole vectors and a rest.
+/// 37 cells: whole vectors and a remainder.
 template <class Real>
 void expect_row_of_cells_equals_its_cells() {
   constexpr int kCells = 37;
@@ -138,7 +138,7 @@ void expect_row_of_cells_equals_its_cells() {
     for (int q = 0; q < kQ; ++q) EXPECT_EQ(double(row.f_star[q][x]), expected[x][q]) << x << " " << q;
 }
 
-TEST(Collision, OfARowInPlaceEqualsThatOfItsCells) {
+TEST(Collision, OfARowInPlaceEqualsThatOfEachCell) {
   expect_row_of_cells_equals_its_cells<float>();
   expect_row_of_cells_equals_its_cells<double>();
 }
@@ -153,7 +153,7 @@ TEST(Collision, ConservesMassAndAddsTheForceToTheMomentum) {
   EXPECT_NEAR(moment(after, m_jz), moment(f, m_jz) + force[2], 1e-15);
 }
 
-TEST(Collision, LeavesTheRestStateWithExcessDensityAlone) {
+TEST(Collision, DoesNotChangeFluidAtRestWithExcessDensity) {
   Cell f{};
   for (int q = 0; q < kQ; ++q) f[q] = 0.1 * weight(q);
   const Cell after = collided(f, 1.1, {0, 0, 0}, kQuasisteadyRates, 1);

@@ -1,4 +1,4 @@
-// The flow on a composite of grids: the same as on a uniform one, the same as on all four quarters, in a few
+// The flow on the composite grid equals that on a uniform grid and that on all four quarters, and takes a few
 // cycles.
 #include "solver/fluid/quasisteady/quasisteady_flow.hpp"
 
@@ -12,7 +12,7 @@
 namespace capstan {
 namespace {
 
-/// A red cell that is strained, with the forces of its membrane.
+/// A sheared red blood cell with the forces of its membrane.
 struct RedCell {
   Icosphere sphere = make_icosphere(3);
   Points initial, positions, forces;
@@ -29,14 +29,14 @@ struct RedCell {
   Orbits whole() const { return Orbits::without_symmetry(int(initial.cols())); }
 };
 
-constexpr CompositeOptions kOptions{.dx = 0.2, .box = 12.8, .Re = 0.05, .V = 4, .tolerance = 1e-7};
+constexpr QuasisteadyOptions kOptions{.dx = 0.2, .box = 12.8, .Re = 0.05, .V = 4, .tolerance = 1e-7};
 
 template <class T>
-Points velocities(const RedCell& cell, Orbits orbits, const CompositeOptions& options) {
+Points velocities(const RedCell& cell, Orbits orbits, const QuasisteadyOptions& options) {
   QuasisteadyFlow<T> flow(cell.sphere.mesh, std::move(orbits), options);
   Points u;
   const FlowReport report = flow.solve(0, cell.positions, cell.forces, u);
-  EXPECT_TRUE(report.converged) << report.fault;
+  EXPECT_TRUE(report.converged) << report.reason;
   return u;
 }
 
@@ -45,10 +45,10 @@ double difference(const Points& a, const Points& b) { return (a - b).norm() / b.
 // Measured: 3e-4.
 TEST(QuasisteadyFlow, GivesTheVelocitiesOfTheUniformGridToOnePartInAThousand) {
   const RedCell cell;
-  CompositeOptions uniform = kOptions;
+  QuasisteadyOptions uniform = kOptions;
   uniform.is_uniform = true;
   for (double V : {1.0, 4.0}) {
-    CompositeOptions composite = kOptions;
+    QuasisteadyOptions composite = kOptions;
     composite.V = uniform.V = V;
     EXPECT_LT(difference(velocities<double>(cell, cell.symmetric(), composite),
                          velocities<double>(cell, cell.symmetric(), uniform)),
@@ -57,25 +57,25 @@ TEST(QuasisteadyFlow, GivesTheVelocitiesOfTheUniformGridToOnePartInAThousand) {
   }
 }
 
-// Such a box has interpolated sides in y and z, and none in x.
-TEST(QuasisteadyFlow, BoxThatGoesAroundTheDomainInXAloneConvergesToTheUniformGridsVelocities) {
+// A long capsule: the box of a grid spans the domain in x, with interpolated sides in y and z only.
+TEST(QuasisteadyFlow, BoxThatSpansTheDomainInXOnlyConvergesToTheVelocitiesOfTheUniformGrid) {
   RedCell cell;
   cell.positions.row(0) *= 2.6 / cell.positions.row(0).maxCoeff();
-  CompositeOptions composite = kOptions, uniform = kOptions;
+  QuasisteadyOptions composite = kOptions, uniform = kOptions;
   composite.box = uniform.box = 9.6, composite.tolerance = 1e-9;
   uniform.is_uniform = true;
   QuasisteadyFlow<double> flow(cell.sphere.mesh, cell.symmetric(), composite);
   Points u;
   EXPECT_TRUE(flow.solve(0, cell.positions, cell.forces, u).converged);
   const int across = int(std::lround(composite.box / composite.dx));
-  int going_around = 0;
+  int spanning = 0;
   for (int grid = 0; grid < int(flow.grids().size()); ++grid)
-    going_around += !flow.grids()[grid].is_whole() && flow.grids()[grid].box().size(0) == across >> grid;
-  ASSERT_GT(going_around, 0);
+    spanning += !flow.grids()[grid].is_whole() && flow.grids()[grid].box().size(0) == across >> grid;
+  ASSERT_GT(spanning, 0);
   EXPECT_LT(difference(u, velocities<double>(cell, cell.symmetric(), uniform)), 1e-3);
 }
 
-TEST(QuasisteadyFlow, OfAQuarterIsThatOfTheWhole) {
+TEST(QuasisteadyFlow, OnAQuarterIsThatOnTheWholeDomain) {
   const RedCell cell;
   EXPECT_LT(difference(velocities<double>(cell, cell.symmetric(), kOptions),
                        velocities<double>(cell, cell.whole(), kOptions)),
@@ -84,7 +84,7 @@ TEST(QuasisteadyFlow, OfAQuarterIsThatOfTheWhole) {
 
 TEST(QuasisteadyFlow, InSinglePrecisionIsExactToOnePartInTenThousand) {
   const RedCell cell;
-  CompositeOptions options = kOptions;
+  QuasisteadyOptions options = kOptions;
   options.tolerance = 1e-5;
   EXPECT_LT(difference(velocities<float>(cell, cell.symmetric(), options),
                        velocities<double>(cell, cell.symmetric(), kOptions)),
@@ -101,13 +101,13 @@ TEST(QuasisteadyFlow, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(alone, together);
 }
 
-/// Errors of the velocities, relative: of the undisturbed flow, and after each cycle from it.
+/// Relative errors of the velocities: of the undisturbed flow, and after each cycle that starts from it.
 std::vector<double> errors_of_cycles(double V, double dx) {
   const RedCell cell;
-  CompositeOptions options = kOptions;
+  QuasisteadyOptions options = kOptions;
   options.V = V, options.dx = dx, options.Re = 0;
   const Points exact = velocities<double>(cell, cell.symmetric(), options);
-  options.tolerance = 1e300;  // each solve is one cycle, and at the same time the next goes on where it stood
+  options.tolerance = 1e300;  // a solve is one cycle; the next one at the same time continues from its result
   QuasisteadyFlow<double> flow(cell.sphere.mesh, cell.symmetric(), options);
   Points u = Points::Zero(3, exact.cols());
   u.row(0) = cell.positions.row(1);
@@ -132,19 +132,19 @@ TEST(QuasisteadyFlow, FirstCycleLeavesFifteenPercentOfTheErrorAndLaterOnesAThird
     }
 }
 
-// Measured: first 0.42, mean 0.60. Where the inner fluid is thin, its own sweeps smooth little.
-TEST(QuasisteadyFlow, CyclesContractByTwoThirdsOrBetterWhereTheInnerFluidIsTenTimesThinner) {
+// Measured: first 0.42, mean 0.60. In an inner fluid of low viscosity sweeps smooth little.
+TEST(QuasisteadyFlow, MeanContractionFactorIsBelowTwoThirdsForATenthOfTheAmbientViscosity) {
   for (double dx : {0.2, 0.1}) EXPECT_LT(mean_contraction(errors_of_cycles(0.1, dx)), 0.67) << "dx = " << dx;
 }
 
-TEST(QuasisteadyFlow, LosesTheFlowOfACapsuleOutsideOfTheDomainWithAWord) {
+TEST(QuasisteadyFlow, ReportsAReasonForACapsuleOutsideOfTheDomain) {
   RedCell cell;
   cell.positions.row(1).array() += 6.2;
   QuasisteadyFlow<float> flow(cell.sphere.mesh, cell.whole(), {.dx = 0.2});
   Points u;
   const FlowReport report = flow.solve(0, cell.positions, cell.forces, u);
   EXPECT_FALSE(report.converged);
-  EXPECT_FALSE(report.fault.empty());
+  EXPECT_FALSE(report.reason.empty());
 }
 
 }  // namespace

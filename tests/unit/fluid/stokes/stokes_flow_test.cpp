@@ -17,16 +17,14 @@ Points solved(StokesFlow flow, const Points& positions, const Points& forces) {
 }
 
 StokesFlow flow_around(const TriangleMesh& mesh, const Points& positions, double V, Orbits orbits) {
-  return {mesh,
-          std::move(orbits),
-          {.viscosity_ratio = V, .volume = volume(positions, mesh.faces), .tolerance = 1e-6}};
+  return {mesh, std::move(orbits), {.V = V, .volume = volume(positions, mesh.faces), .tolerance = 1e-6}};
 }
 StokesFlow flow_around(const TriangleMesh& mesh, const Points& positions, double V) {
   return flow_around(mesh, positions, V, Orbits::of(positions));
 }
 
-/// The part of velocities on the unit sphere that is a strain in the plane of shear: the mean of u_x / y and
-/// u_y / x.
+/// Rate of strain in the plane of shear of velocities on the unit sphere: a weighted mean of u_x / y and u_y
+/// / x.
 double strain_rate(const Points& directions, const Points& velocities) {
   const auto x = directions.row(0), y = directions.row(1);
   return (velocities.row(0).dot(y) + velocities.row(1).dot(x)) / (x.squaredNorm() + y.squaredNorm());
@@ -34,9 +32,9 @@ double strain_rate(const Points& directions, const Points& velocities) {
 
 class Drop : public ::testing::TestWithParam<double> {};
 
-// Taylor 1932: the strain of a sphere's surface is 5/(2V + 3) of that of the shear flow, 1/2; it turns with
-// 1/2.
-TEST_P(Drop, WithoutTensionStrainsAsTaylorsSolution) {
+// Taylor 1932: the surface of a sphere without tension strains at 5/(2V + 3) times the rate of the shear
+// flow, 1/2.
+TEST_P(Drop, WithoutTensionStrainsAsInTaylorsSolution) {
   const double V = GetParam();
   const Icosphere sphere = make_icosphere(3);
   const Points u =
@@ -45,8 +43,9 @@ TEST_P(Drop, WithoutTensionStrainsAsTaylorsSolution) {
 }
 INSTANTIATE_TEST_SUITE_P(Drops, Drop, ::testing::Values(0.1, 1, 5, 20), testing::number_names("V"));
 
-// A sphere pulled by a force F moves, with V = 1, by 1/(8 pi) int G F/(4 pi) dA = F / (6 pi): Stokes' law.
-TEST(StokesFlow, AUniformForceMovesTheSphereAsStokesLaw) {
+// With V = 1 a force F, spread evenly over the sphere, moves it at 1/(8 pi) int G F/(4 pi) dA = F / (6 pi):
+// Stokes' law.
+TEST(StokesFlow, AUniformForceMovesTheSphereByStokesLaw) {
   const Icosphere sphere = make_icosphere(3);
   Points at_rest = sphere.directions;
   const Vec3 force(0, 0, 2);
@@ -56,7 +55,7 @@ TEST(StokesFlow, AUniformForceMovesTheSphereAsStokesLaw) {
   EXPECT_NEAR(u.row(2).mean() * 6 * std::numbers::pi / force.z(), 1, 0.01);
 }
 
-TEST(StokesFlow, PressureDrivesNothing) {
+TEST(StokesFlow, AUniformPressureDrivesNoFlow) {
   const Icosphere sphere = make_icosphere(3);
   const Points cell = biconcave(sphere.directions);
   const Points pressure = 7 * vertex_area_vectors(cell, sphere.mesh.faces), none = Points::Zero(3, 642);
@@ -71,14 +70,14 @@ Case inclined_cell() {
   return c;
 }
 
-/// Forces that have the symmetry of the flow, as those of a membrane.
+/// Forces with the symmetry of the flow, which those of a membrane have.
 Points some_forces(const Points& positions) {
   Eigen::Matrix3d A;
   A << 0.3, 0.1, 0, -0.2, 0.1, 0, 0, 0, -0.4;
   return 0.01 * A * positions;
 }
 
-TEST(StokesFlow, AQuarterKnowsTheWholeFlow) {
+TEST(StokesFlow, OnAQuarterIsThatOnTheWholeMembrane) {
   const Icosphere sphere = make_icosphere(3);
   const Points cell = initial_positions(inclined_cell(), sphere), forces = some_forces(cell);
   const Points quarter = solved(flow_around(sphere.mesh, cell, 4), cell, forces);
@@ -86,24 +85,24 @@ TEST(StokesFlow, AQuarterKnowsTheWholeFlow) {
   EXPECT_LT((quarter - whole).norm(), 1e-5 * whole.norm());
 }
 
-TEST(StokesFlow, ADriftOfTheVolumeDecaysAtTheRateTen) {
+TEST(StokesFlow, ADeviationOfTheVolumeDecaysAtTheRateTen) {
   const Icosphere sphere = make_icosphere(3);
   const Points swollen = 1.01 * sphere.directions;
   const double wished = volume(sphere.directions, sphere.mesh.faces),
                drift = volume(swollen, sphere.mesh.faces) - wished;
-  StokesFlow flow(sphere.mesh, Orbits::of(swollen), {.viscosity_ratio = 3, .volume = wished});
+  StokesFlow flow(sphere.mesh, Orbits::of(swollen), {.V = 3, .volume = wished});
   const Points u = solved(std::move(flow), swollen, Points::Zero(3, 642));
   const double rate = u.cwiseProduct(vertex_area_vectors(swollen, sphere.mesh.faces)).sum();
   EXPECT_NEAR(rate, -10 * drift, 1e-6 * drift);
 }
 
-TEST(StokesFlow, ForcesThatAreNotFiniteLoseTheFlow) {
+TEST(StokesFlow, ReportsAReasonForForcesThatAreNotFinite) {
   const Icosphere sphere = make_icosphere(2);
   Points velocities(3, 162);
   const FlowReport report = flow_around(sphere.mesh, sphere.directions, 2)
                                 .solve(0, sphere.directions, Points::Constant(3, 162, NAN), velocities);
   EXPECT_FALSE(report.converged);
-  EXPECT_FALSE(report.fault.empty());
+  EXPECT_FALSE(report.reason.empty());
 }
 
 }  // namespace

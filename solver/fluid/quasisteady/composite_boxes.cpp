@@ -1,21 +1,22 @@
-#include "solver/fluid/quasisteady/layout.hpp"
+#include "solver/fluid/quasisteady/composite_boxes.hpp"
 
-#include "solver/case/fidelity.hpp"
+#include "solver/grid/halved_cells.hpp"
 
 namespace capstan {
 namespace {
 
-// Measured against the uniform grid (README, "A grid around the capsule"): the velocity at the membrane
-// changes by less than 1e-3. Cells of the grid itself, on every side.
+// Cells of a grid on every side of the capsule, and of the next finer grid. With these margins the velocities
+// of the membrane differ by less than 1e-3 from those on a uniform grid (measured).
 constexpr int kMarginOfFinest = 6, kMarginOfNext = 4;
-constexpr int kSlack = 2;          // the capsule moves so far before its box does
-constexpr int kClearOfSides = 4;   // a box closer to a side of the domain ends there
-constexpr double kMaxShare = 0.5;  // of the domain that a box may have before it is all of it
+constexpr int kSlack = 2;   // cells that the capsule can move before its box moves
+constexpr int kMinGap = 4;  // a side nearer than this to a side of the domain, in cells, is moved to it
+constexpr double kMaxShare =
+    0.5;  // a box with a larger share of the domain's cells is extended to the whole domain
 
 int rounded_up_to_even(int n) { return (n + 1) & ~1; }
 
-/// Whole cells of the coarser grid; with the symmetry, from the axis of the half-turn to equal distances in
-/// x.
+/// Extends a box to whole cells of the next coarser grid; in a quarter of the domain also to y = z = 0, and
+/// in x to equal distances from the axis of the half-turn.
 IndexBox aligned(IndexBox box, bool is_quarter) {
   for (int axis = 0; axis < 3; ++axis) box.lo[axis] &= ~1, box.hi[axis] = rounded_up_to_even(box.hi[axis]);
   if (!is_quarter) return box;
@@ -24,12 +25,12 @@ IndexBox aligned(IndexBox box, bool is_quarter) {
   return box;
 }
 
+/// The box that a grid gets to cover `box`.
 IndexBox fitted(IndexBox box, const Domain& domain, int grid) {
   const IndexBox all = domain.box(grid);
   box = aligned(box, domain.is_quarter);
   for (int axis = 0; axis < 3; ++axis) {
-    const bool low =
-        box.lo[axis]<all.lo[axis] + kClearOfSides, high = box.hi[axis]> all.hi[axis] - kClearOfSides;
+    const bool low = box.lo[axis]<all.lo[axis] + kMinGap, high = box.hi[axis]> all.hi[axis] - kMinGap;
     const bool goes_around = domain.rules().side[axis][0] == SideRule::periodic && (low || high);
     if (low || goes_around) box.lo[axis] = all.lo[axis];
     if (high || goes_around) box.hi[axis] = all.hi[axis];

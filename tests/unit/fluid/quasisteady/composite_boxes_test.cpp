@@ -1,4 +1,4 @@
-#include "solver/fluid/quasisteady/layout.hpp"
+#include "solver/fluid/quasisteady/composite_boxes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ void expect_nested(const Domain& domain, const std::vector<IndexBox>& boxes, con
   for (std::size_t i = 0; i + 1 < boxes.size(); ++i) {
     const IndexBox parents = coarsened(boxes[i]);
     EXPECT_EQ(refined(parents), boxes[i]) << "grid " << i << " is not made of whole coarse cells";
-    // interpolation reaches two cells beyond a side that is not the domain's
+    // interpolation needs two more coarse cells beyond a side that is not a side of the domain
     for (int axis = 0; axis < 3; ++axis) {
       const IndexBox all = domain.box(int(i) + 1);
       EXPECT_TRUE(parents.lo[axis] == all.lo[axis] || boxes[i + 1].lo[axis] <= parents.lo[axis] - 2);
@@ -24,12 +24,12 @@ void expect_nested(const Domain& domain, const std::vector<IndexBox>& boxes, con
   EXPECT_EQ(boxes.back(), domain.box(int(boxes.size()) - 1));
 }
 
-TEST(Layout, BoxesAreNestedAroundTheCapsuleUpToTheDomain) {
+TEST(CompositeBoxes, AreNestedAroundTheCapsuleUpToTheDomain) {
   expect_nested(kQuarter, plan_boxes(kQuarter, kCapsule, {}), kCapsule);
   expect_nested(kWhole, plan_boxes(kWhole, kUnfolded, {}), kUnfolded);
 }
 
-TEST(Layout, OfAHalfTurnReachesAsFarToBothSides) {
+TEST(CompositeBoxes, InAQuarterAreSymmetricInXAndStartAtYAndZZero) {
   for (const IndexBox& box : plan_boxes(kQuarter, kCapsule, {})) {
     EXPECT_EQ(box.lo[0], -box.hi[0]);
     EXPECT_EQ(box.lo[1], 0);
@@ -37,7 +37,7 @@ TEST(Layout, OfAHalfTurnReachesAsFarToBothSides) {
   }
 }
 
-TEST(Layout, KeepsItsBoxesWhileTheCapsuleMovesByTwoCells) {
+TEST(CompositeBoxes, AreKeptWhileTheCapsuleMovesByTwoCells) {
   const auto boxes = plan_boxes(kWhole, kUnfolded, {});
   IndexBox moved = kUnfolded;
   moved.hi[0] += 2, moved.lo[2] += 2;
@@ -48,7 +48,7 @@ TEST(Layout, KeepsItsBoxesWhileTheCapsuleMovesByTwoCells) {
   expect_nested(kWhole, followed, moved);
 }
 
-TEST(Layout, OfACapsuleNearAWallEndsAtTheWall) {
+TEST(CompositeBoxes, OfACapsuleNearAWallEndAtTheWall) {
   IndexBox capsule = kUnfolded;
   capsule.hi[1] = 60, capsule.lo[1] = 42;
   const auto boxes = plan_boxes(kWhole, capsule, {});
@@ -56,7 +56,7 @@ TEST(Layout, OfACapsuleNearAWallEndsAtTheWall) {
   EXPECT_EQ(boxes[0].hi[1], 64);
 }
 
-TEST(Layout, OfAUniformGridCoversTheDomain) {
+TEST(CompositeBoxes, OfAUniformGridCoverTheDomain) {
   const Domain uniform{.cells = 64, .is_quarter = false, .is_uniform = true};
   const auto boxes = plan_boxes(uniform, kUnfolded, {});
   EXPECT_EQ(int(boxes.size()), uniform.grid_count());

@@ -1,49 +1,48 @@
-#include "solver/fluid/quasisteady/intergrid.hpp"
+#include "solver/grid/transfers.hpp"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
-#include "solver/grid/for_each_row.hpp"
 #include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 namespace {
 
-constexpr int kBlock = 128;     // coarse numbers of a row at a time
-constexpr int kComponents = 5;  // at most
+constexpr int kBlock = 128;  // coarse cells of a row that are handled at a time
+constexpr int kMaxComponents = 5;
 
-// Loops over whole registers read a little beyond a row, into what follows it in memory (RowField).
+// Loops over whole registers read a little beyond a row, into the memory that follows it (see RowField).
 
-/// A child's centre stands a quarter of a coarse cell from its parent's: at -1/4 for even indices, +1/4 for
-/// odd ones.
-constexpr double side_of(int child) { return (child & 1) ? 0.25 : -0.25; }
+/// Distance from a parent's centre to that of its child, in coarse cells: the child has an even or an odd
+/// index.
+constexpr double offset_of(int child) { return (child & 1) ? 0.25 : -0.25; }
 
-/// Weights of the parent's neighbour before it, itself, and the one behind: the parabola through the three.
+/// Weights of the values at -1, 0 and 1 for the value of their parabola at a child of the cell 0.
 template <class T>
-struct Parabola {
+struct ParabolaWeights {
   T before, at, behind;
 };
 template <class T>
-constexpr Parabola<T> parabola(int child) {
-  const double t = side_of(child);
+constexpr ParabolaWeights<T> parabola_weights(int child) {
+  const double t = offset_of(child);
   return {T(t * (t - 1) / 2), T(1 - t * t), T(t * (t + 1) / 2)};
 }
 
-/// Rows of one grid and the row of the other that is made of them, from their first components on.
+/// Four rows of one grid, the row of the other that is computed from them, and the distances to the next
+/// component.
 template <class T>
-struct FourRows {
-  std::array<const T*, 4> from;
+struct RowTransfer {
+  FourRows<T> from;
   T* to;
-  std::ptrdiff_t from_component, to_component;  ///< distances to the next component
-  int coarse_count;                             ///< cells, of whichever is coarser
+  std::ptrdiff_t from_component, to_component;
+  int coarse_count;  ///< cells of the row that is on the coarser grid
 };
 
-/// From the rows of the children of a row of coarse cells. Components in turn, step by step: what is read was
-/// written a while ago.
+/// A coarse row from the four rows of its children. Each step is done for all components before the next
+/// step: the numbers that a step reads were written long enough ago not to be waited for.
 template <class T>
-CAPSTAN_VECTOR_UNITS void average_rows(const FourRows<T>& rows, std::span<const double> factors) {
-  alignas(64) T sums[kComponents][2 * kBlock];
+CAPSTAN_VECTOR_UNITS void average_rows(const RowTransfer<T>& rows, std::span<const double> factors) {
+  alignas(64) T sums[kMaxComponents][2 * kBlock];
   const int K = int(factors.size());
   for (int first = 0; first < rows.coarse_count; first += kBlock) {
     const int count = std::min(kBlock, rows.coarse_count - first);
@@ -60,10 +59,11 @@ CAPSTAN_VECTOR_UNITS void average_rows(const FourRows<T>& rows, std::span<const 
   }
 }
 
-/// From the coarse rows around a fine one, the nearest first.
+/// A fine row from the four coarse rows around it: first in y and z, with the common factor 1/64 of all
+/// weights, then in x.
 template <class T>
-CAPSTAN_VECTOR_UNITS void add_linear_rows(const FourRows<T>& rows, std::span<const double> factors) {
-  alignas(64) T along[kComponents][kBlock + 2 * kLanes], change[kComponents][2 * kBlock + 2 * kLanes];
+CAPSTAN_VECTOR_UNITS void add_linear_rows(const RowTransfer<T>& rows, std::span<const double> factors) {
+  alignas(64) T along[kMaxComponents][kBlock + 2 * kLanes], change[kMaxComponents][2 * kBlock + 2 * kLanes];
   const int K = int(factors.size());
   for (int first = 0; first < rows.coarse_count; first += kBlock) {
     const int count = std::min(kBlock, rows.coarse_count - first);
@@ -86,7 +86,7 @@ CAPSTAN_VECTOR_UNITS void add_linear_rows(const FourRows<T>& rows, std::span<con
   }
 }
 
-/// Rows of numbers over two axes; the rows of the inner one stand behind each other.
+/// A two-dimensional array of rows of numbers.
 template <class R>
 struct RowGrid {
   R* first;
@@ -96,12 +96,12 @@ struct RowGrid {
   R* row(int i, int j) const { return first + i * inner_stride + j * outer_stride; }
 };
 
-/// In x: all children of `parents` cells of each row.
+/// Interpolation in x: both children of each of the `parents` cells of each row.
 template <class T>
 CAPSTAN_VECTOR_UNITS void interpolate_in_x(const RowGrid<const T>& coarse, std::ptrdiff_t component,
                                            int parents, std::span<const double> factors,
                                            const RowGrid<T>& out) {
-  constexpr Parabola<T> even = parabola<T>(0), odd = parabola<T>(1);
+  constexpr ParabolaWeights<T> even = parabola_weights<T>(0), odd = parabola_weights<T>(1);
   for (int j = 0; j < coarse.outer; ++j)
     for (int i = 0; i < coarse.inner; ++i)
       for (std::size_t k = 0; k < factors.size(); ++k) {
@@ -116,14 +116,14 @@ CAPSTAN_VECTOR_UNITS void interpolate_in_x(const RowGrid<const T>& coarse, std::
       }
 }
 
-/// In the inner axis: the rows of the children `first` ... of parents whose rows, with a neighbour on each
-/// side, are given.
+/// Interpolation along the inner axis: the rows of the children `first`, `first` + 1, ... from the rows of
+/// their parents, of which there is one more on each side.
 template <class T>
 CAPSTAN_VECTOR_UNITS void interpolate_between_rows(const RowGrid<const T>& parents, int first, int count,
                                                    const RowGrid<T>& out) {
   for (int j = 0; j < out.outer; ++j)
     for (int i = 0; i < out.inner; ++i) {
-      const Parabola<T> weights = parabola<T>(first + i);
+      const ParabolaWeights<T> weights = parabola_weights<T>(first + i);
       const int at = 1 + parent(first + i) - parent(first);
       const T *before = parents.row(at - 1, j), *middle = parents.row(at, j),
               *behind = parents.row(at + 1, j);
@@ -138,14 +138,13 @@ CAPSTAN_VECTOR_UNITS void interpolate_between_rows(const RowGrid<const T>& paren
 template <class T>
 void average_children(const RowField<T>& fine, RowField<T>& coarse, const IndexBox& region,
                       std::span<const double> factors) {
-  const int fine_x = 2 * region.lo[0] - fine.box().lo[0], coarse_x = region.lo[0] - coarse.box().lo[0];
+  const int coarse_x = region.lo[0] - coarse.box().lo[0];
   for_each_row(region, [&](int y, int z) {
-    const auto child = [&](int dy, int dz) { return fine.row(0, 2 * y + dy, 2 * z + dz) + fine_x; };
-    average_rows(FourRows<T>{{child(0, 0), child(1, 0), child(0, 1), child(1, 1)},
-                             coarse.row(0, y, z) + coarse_x,
-                             fine.component_stride(),
-                             coarse.component_stride(),
-                             region.size(0)},
+    average_rows(RowTransfer<T>{.from = rows_of_children(fine, region.lo[0], y, z),
+                                .to = coarse.row(0, y, z) + coarse_x,
+                                .from_component = fine.strides().component,
+                                .to_component = coarse.strides().component,
+                                .coarse_count = region.size(0)},
                  factors);
   });
 }
@@ -153,22 +152,19 @@ void average_children(const RowField<T>& fine, RowField<T>& coarse, const IndexB
 template <class T>
 void add_linear(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& region,
                 std::span<const double> factors) {
-  const int coarse_x = parent(region.lo[0]) - coarse.box().lo[0], fine_x = region.lo[0] - fine.box().lo[0];
+  const int fine_x = region.lo[0] - fine.box().lo[0];
   for_each_row(region, [&](int y, int z) {
-    const int Y = parent(y), Z = parent(z), near_Y = (y & 1) ? Y + 1 : Y - 1,
-              near_Z = (z & 1) ? Z + 1 : Z - 1;
-    const auto row = [&](int at_y, int at_z) { return coarse.row(0, at_y, at_z) + coarse_x; };
-    add_linear_rows(FourRows<T>{{row(Y, Z), row(near_Y, Z), row(Y, near_Z), row(near_Y, near_Z)},
-                                fine.row(0, y, z) + fine_x,
-                                coarse.component_stride(),
-                                fine.component_stride(),
-                                region.size(0) / 2},
+    add_linear_rows(RowTransfer<T>{.from = rows_around(coarse, parent(region.lo[0]), y, z),
+                                   .to = fine.row(0, y, z) + fine_x,
+                                   .from_component = coarse.strides().component,
+                                   .to_component = fine.strides().component,
+                                   .coarse_count = region.size(0) / 2},
                     factors);
   });
 }
 
-// Direction by direction: x in the coarse rows that are needed, then y, then z. Of every parent in x all
-// children are made, and those of the region taken in the end.
+// Direction by direction: x in the coarse rows that are needed, then y, then z. In x both children of every
+// parent are computed; the last step copies those of the region.
 template <class T>
 void interpolate(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& region,
                  std::span<const double> factors) {
@@ -180,8 +176,8 @@ void interpolate(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& r
   along_x.resize(numbers * NY * NZ), along_y.resize(numbers * ny * NZ), children.resize(numbers * ny * nz);
 
   const T* first_row = coarse.row(0, needed.lo[1], needed.lo[2]) + (parents.lo[0] - coarse.box().lo[0]);
-  interpolate_in_x(RowGrid<const T>{first_row, coarse.y_stride(), coarse.z_stride(), NY, NZ},
-                   coarse.component_stride(), parents.size(0), factors,
+  interpolate_in_x(RowGrid<const T>{first_row, coarse.strides().y, coarse.strides().z, NY, NZ},
+                   coarse.strides().component, parents.size(0), factors,
                    RowGrid<T>{along_x.data(), numbers, numbers * NY, NY, NZ});
   interpolate_between_rows(RowGrid<const T>{along_x.data(), numbers, numbers * NY, NY, NZ}, region.lo[1],
                            int(numbers), RowGrid<T>{along_y.data(), numbers, numbers * ny, ny, NZ});
@@ -192,7 +188,7 @@ void interpolate(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& r
     for (int y = region.lo[1]; y < region.hi[1]; ++y)
       for (int k = 0; k < K; ++k, child += nx) {
         T* row = fine.row(k, y, z) + (region.lo[0] - fine.box().lo[0]);
-        row[0] = child[0];  // all there is of a ghost layer of x
+        row[0] = child[0];  // the only cell of a ghost layer of x
         if (region.size(0) > 1) std::copy_n(child + 1, region.size(0) - 1, row + 1);
       }
 }

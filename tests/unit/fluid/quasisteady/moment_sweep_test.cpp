@@ -1,12 +1,14 @@
-// The equation in moments is the paper's lattice Boltzmann equation with all free rates 1.
-#include "solver/fluid/quasisteady/sweep.hpp"
+// The equation in moments is the paper's lattice Boltzmann equation with all free relaxation rates equal
+// to 1.
+#include "solver/fluid/quasisteady/moment_sweep.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "solver/fluid/paper/level.hpp"
+#include "solver/fluid/paper/population_grid.hpp"
 #include "solver/grid/row_field.hpp"
+#include "tests/support/macroscopic.hpp"
 
 namespace capstan {
 namespace {
@@ -14,14 +16,11 @@ namespace {
 using d3q19::e;
 using d3q19::kQ;
 using d3q19::weight;
+using testing::macroscopic;
+using testing::Macroscopic;
 
 constexpr IndexBox kCells{{0, 0, 0}, {21, 5, 4}};
-constexpr double kUndisturbed = -0.3;  // stress
-
-template <class T>
-Strides strides_of(const RowField<T>& field) {
-  return {field.component_stride(), field.y_stride(), field.z_stride()};
-}
+constexpr double kUndisturbed = -0.3;  // P_xy of the undisturbed flow
 
 template <class T>
 RowField<T> random_field(int components, unsigned seed) {
@@ -32,7 +31,7 @@ RowField<T> random_field(int components, unsigned seed) {
   return field;
 }
 
-/// All moments before and after one sweep over every cell.
+/// Random moments and stresses, and their values after one sweep over all cells.
 template <class T>
 struct Sweep {
   RowField<T> m = random_field<T>(kMoments, 1), d = random_field<T>(kMoments, 2), out{kCells, kMoments};
@@ -40,7 +39,7 @@ struct Sweep {
               p_d = random_field<T>(kStresses, 5), p_out{kCells, kStresses};
 
   FluidRow<T> row(int y, int z, T keep, T blend) {
-    return {m.row(0, y, z), d.row(0, y, z), out.row(0, y, z), strides_of(m), kCells.size(0), keep, blend};
+    return {m.row(0, y, z), d.row(0, y, z), out.row(0, y, z), m.strides(), kCells.size(0), keep, blend};
   }
   void fluid(T keep, T blend) {
     for (int z = 0; z < kCells.hi[2]; ++z)
@@ -49,13 +48,13 @@ struct Sweep {
   void stress(T keep, T blend) {
     for (int z = 0; z < kCells.hi[2]; ++z)
       for (int y = 0; y < kCells.hi[1]; ++y)
-        sweep_stress(StressRow<T>{row(y, z, keep, blend), c.row(0, y, z), strides_of(c), p.row(0, y, z),
-                                  p_d.row(0, y, z), p_out.row(0, y, z), strides_of(p), keep, blend,
+        sweep_stress(StressRow<T>{row(y, z, keep, blend), c.row(0, y, z), c.strides(), p.row(0, y, z),
+                                  p_d.row(0, y, z), p_out.row(0, y, z), p.strides(), keep, blend,
                                   kUndisturbed});
   }
 };
 
-/// What cell (x, y, z) sends along e_q, written as in sweep.hpp.
+/// The population that leaves the cell (x, y, z) along e_q, written as in moment_sweep.hpp (a).
 double sent(const Sweep<double>& s, int q, int x, int y, int z) {
   const auto m = [&](int k) { return s.m.row(k, y, z)[x]; };
   const auto Q = [&](int k) {
@@ -67,7 +66,7 @@ double sent(const Sweep<double>& s, int q, int x, int y, int z) {
   return weight(q) * (m(kRho) + 3 * (ex * m(kGx) + ey * m(kGy) + ez * m(kGz)) + 4.5 * ee_Q);
 }
 
-TEST(Sweep, OfStressesTakesTheMomentsOfNineteenPopulations) {
+TEST(MomentSweep, WithStressesGivesTheMomentsOfNineteenPopulations) {
   Sweep<double> s;
   s.stress(0.2, 0.7);
   for (int z = 0; z < kCells.hi[2]; ++z)
@@ -100,7 +99,7 @@ double largest_difference(const RowField<T>& a, const RowField<T>& b) {
   return largest;
 }
 
-TEST(Sweep, OfFluidIsThatOfStressesWithoutStress) {
+TEST(MomentSweep, OfFluidIsTheSweepWithZeroStress) {
   Sweep<double> a, b;
   std::ranges::fill(b.c.data(), 0);
   a.fluid(0.1, 0.9);
@@ -108,7 +107,7 @@ TEST(Sweep, OfFluidIsThatOfStressesWithoutStress) {
   EXPECT_LT(largest_difference(a.out, b.out), 1e-14);
 }
 
-TEST(Sweep, InSinglePrecisionIsThatInDoublePrecisionRounded) {
+TEST(MomentSweep, InSinglePrecisionIsTheSweepInDoublePrecisionRounded) {
   Sweep<float> a;
   Sweep<double> b;
   std::ranges::copy(a.m.data(), b.m.data().begin());
@@ -120,35 +119,32 @@ TEST(Sweep, InSinglePrecisionIsThatInDoublePrecisionRounded) {
   EXPECT_LT(largest_difference(rounded, b.out), 1e-6);
 }
 
-/// With every rate 1 and viscosity 1/6, whatever the other moments of 19 populations are, the next density
-/// and momentum are those of the sweep. Cells next to the walls are left out: there the two models differ
-/// (ghosts.hpp).
-TEST(Sweep, OfFluidIsTheMrtCollisionWithAllRatesOne) {
+/// With all rates 1 and viscosity 1/6 the next density and momentum of 19 populations are those of the sweep,
+/// for any values of the other moments. Cells next to the walls are left out: there the two models differ
+/// (moment_images.hpp).
+TEST(MomentSweep, OfFluidIsTheMrtSchemeWithAllRatesOne) {
   constexpr MrtRates kOne = {1, 1, 1, 1, 1, 3, 0, 0};
-  Level level({kCells.hi[0], kCells.hi[1], kCells.hi[2]},
-              {.rates = kOne, .nu_lu = 1. / 6, .wall_speed = 0, .inertia = 0});
+  PopulationGrid grid(kCells, {.rates = kOne, .nu_lu = 1. / 6, .wall_speed = 0, .inertia = 0});
   std::mt19937 generator(6);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int q = 0; q < kQ; ++q)
-    for (double& f : level.populations()[q].data()) f = uniform(generator);
+  for (double& f : grid.populations().data()) f = uniform(generator);
 
   Sweep<double> s;
   std::ranges::fill(s.d.data(), 0);
-  const auto wrapped = [](int i, int n) { return (i + n) % n; };
   for (int z = -1; z <= kCells.hi[2]; ++z)
     for (int y = 0; y < kCells.hi[1]; ++y)
       for (int x = -1; x <= kCells.hi[0]; ++x) {
         const Macroscopic at =
-            macroscopic(level.populations(), wrapped(x, kCells.hi[0]), y, wrapped(z, kCells.hi[2]));
+            macroscopic(grid.populations(), periodic(x, kCells.hi[0]), y, periodic(z, kCells.hi[2]));
         s.m.row(kRho, y, z)[x] = at.rho, s.m.row(kGx, y, z)[x] = at.jx;
         s.m.row(kGy, y, z)[x] = at.jy, s.m.row(kGz, y, z)[x] = at.jz;
       }
-  level.step();
+  grid.step();
   s.fluid(0, 1);
   for (int z = 0; z < kCells.hi[2]; ++z)
     for (int y = 1; y < kCells.hi[1] - 1; ++y)
       for (int x = 0; x < kCells.hi[0]; ++x) {
-        const Macroscopic after = macroscopic(level.populations(), x, y, z);
+        const Macroscopic after = macroscopic(grid.populations(), x, y, z);
         EXPECT_NEAR(s.out.row(kRho, y, z)[x], after.rho, 1e-12);
         EXPECT_NEAR(s.out.row(kGx, y, z)[x], after.jx, 1e-12);
         EXPECT_NEAR(s.out.row(kGy, y, z)[x], after.jy, 1e-12);

@@ -1,7 +1,8 @@
-#include "solver/fluid/quasisteady/intergrid.hpp"
+#include "solver/grid/transfers.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace capstan {
@@ -11,7 +12,7 @@ constexpr IndexBox kCoarse{{-4, -2, 0}, {5, 6, 6}};
 constexpr IndexBox kFine{{-6, -2, 2}, {8, 10, 8}};
 const std::vector<double> kOne = {1};
 
-/// f at the centres of the cells of spacing h, ghosts included.
+/// f sampled at the centres of the cells of spacing h, ghosts included.
 template <class F>
 RowField<double> sampled(const IndexBox& box, double h, F f) {
   RowField<double> field(box, 1);
@@ -35,7 +36,7 @@ double largest_difference(const RowField<double>& a, const RowField<double>& b, 
 double linear(double x, double y, double z) { return 1 + 2 * x - 3 * y + 0.5 * z; }
 double parabolic(double x, double y, double z) { return linear(x, y, z) + x * x - 2 * x * y + y * y * z * z; }
 
-TEST(Intergrid, ParentsOfNegativeIndicesRoundDown) {
+TEST(Transfers, ParentsOfNegativeIndicesAreRoundedDown) {
   EXPECT_EQ(parent(-1), -1);
   EXPECT_EQ(parent(-2), -1);
   EXPECT_EQ(parent(-3), -2);
@@ -43,7 +44,7 @@ TEST(Intergrid, ParentsOfNegativeIndicesRoundDown) {
   EXPECT_EQ(coarsened(IndexBox{{-3, -2, 0}, {3, 2, 1}}), (IndexBox{{-2, -1, 0}, {2, 1, 1}}));
 }
 
-TEST(Intergrid, MeanOfTheChildrenOfALinearFieldIsItsValueAtTheParent) {
+TEST(Transfers, MeanOfTheChildrenOfALinearFieldIsItsValueAtTheParent) {
   const RowField<double> fine = sampled(kFine, 1, linear), exact = sampled(kCoarse, 2, linear);
   RowField<double> coarse(kCoarse, 1);
   const IndexBox region = coarsened(kFine);
@@ -51,13 +52,13 @@ TEST(Intergrid, MeanOfTheChildrenOfALinearFieldIsItsValueAtTheParent) {
   EXPECT_LT(largest_difference(coarse, exact, region), 1e-12);
 }
 
-TEST(Intergrid, LinearInterpolationReproducesLinearFields) {
+TEST(Transfers, LinearInterpolationReproducesLinearFields) {
   RowField<double> fine(kFine, 1);
   add_linear(sampled(kCoarse, 2, linear), fine, kFine, kOne);
   EXPECT_LT(largest_difference(fine, sampled(kFine, 1, linear), kFine), 1e-12);
 }
 
-TEST(Intergrid, InterpolationByParabolasReproducesParabolasInGhostsToo) {
+TEST(Transfers, InterpolationByParabolasReproducesParabolasInGhostsToo) {
   RowField<double> fine(kFine, 1);
   const IndexBox with_ghosts = grown(kFine, 1);
   interpolate(sampled(kCoarse, 2, parabolic), fine, with_ghosts, kOne);

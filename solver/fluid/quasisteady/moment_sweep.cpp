@@ -1,4 +1,4 @@
-#include "solver/fluid/quasisteady/sweep.hpp"
+#include "solver/fluid/quasisteady/moment_sweep.hpp"
 
 #include <algorithm>
 
@@ -8,23 +8,24 @@
 namespace capstan {
 namespace {
 
-constexpr int kBlock = 256;  // of a row at a time: what they send fits into the cache
+constexpr int kBlock =
+    256;  // numbers of a row that are handled at a time: their sums fit into the first-level cache
 
-/// Loops run over the numbers of a row as they stand in memory, from the ghost before the first cell to the
-/// end of the padding: whole registers, which begin where cache lines do. What comes out where no cell is, is
-/// dropped.
+/// A part of a row, by indices of its numbers in memory: 0 is the ghost before the first cell, and the last
+/// are padding. So loops run over whole vector registers. Results for ghosts and padding are discarded
+/// (weights_at()).
 struct Block {
-  int first, last;  ///< to be written
-  int from, to;     ///< that send to them
+  int first, last;  ///< cells first <= i < last are updated
+  int from, to;     ///< cells from <= i < to send populations to them
 };
 
-/// The block that begins at a number of a row of so many.
+/// The block that starts at `first`, in a row of `numbers` numbers.
 [[gnu::always_inline]] inline Block block_at(int first, int numbers) {
   const int last = std::min(first + kBlock, numbers);
   return {first, last, std::max(first - kLanes, 0), std::min(last + kLanes, numbers)};
 }
 
-/// How the number at i is relaxed: where no cell is, it stays.
+/// keep and blend at the index i of a row: a ghost or padding keeps its value.
 template <class T>
 struct Weights {
   T keep, blend;
@@ -35,18 +36,19 @@ template <class T>
   return {is_cell ? keep : T(1), is_cell ? blend : T(0)};
 }
 
-/// 36 times what the cells of a block send along x: to the right, to the left, and to the same x.
+/// 36 times the moments of the populations that the cells of a row and of the rows around it send to x + 1
+/// (right), to x - 1 (left) and to the same x (across), summed over the rows for each x of a block.
 template <class T, int kSums, int kSumsAcross>
 struct Sent {
   static constexpr int kRoom = kBlock + 2 * kLanes;
   alignas(64) T right[kSums][kRoom], left[kSums][kRoom], across[kSumsAcross][kRoom];
 
-  /// Nothing comes from outside of the row's memory.
+  /// Zero beyond the two ends of the block, where nothing is computed but relax() reads.
   [[gnu::always_inline]] void begin(const Block& block) {
     for (int k = 0; k < kSums; ++k) right[k][kLanes - 1] = left[k][kLanes + block.last - block.first] = 0;
   }
 
-  /// A sum in parts that do not and that do change sign with e_x.
+  /// Stores a sum, given its parts that are even and odd in e_x.
   [[gnu::always_inline]] void send(int k, int at, T even, T odd) {
     right[k][at] = even + odd;
     left[k][at] = even - odd;
@@ -58,22 +60,22 @@ struct Sent {
     return across[k][at] + (from_left(k, at) + from_right(k, at));
   }
 };
-/// Moments of e_y and e_z; those with e_x follow from right and left.
+/// The moments 1, e_y, e_z, e_y e_y, e_z e_z, e_y e_z. Those with e_x are differences of right and left.
 enum { kSum, kSumY, kSumZ, kSumYY, kSumZZ, kSumYZ };
 template <class T>
 using FluidSent = Sent<T, 3, 3>;
 template <class T>
 using StressSent = Sent<T, 5, 6>;
 
-/// Where the row's numbers begin: at the ghost before the first cell.
+/// The start of a row in memory: the ghost before its first cell.
 template <class T>
 [[gnu::always_inline]] inline T* begin_of(T* first_cell) {
   return static_cast<T*>(__builtin_assume_aligned(first_cell - 1, 64));
 }
 
-/// First half of (b) without stresses: sums over the rows around, cell by cell. Sources at y -+ 1 stand for
-/// e_y = +-1, likewise z. 36 w_i is 12, 2 along an axis, 1 along a diagonal. The sums of what goes to the
-/// right serve rho and g_x alike.
+/// First half of (b) without stresses: for each x, sums over the row and the eight rows around it. A
+/// population with e_y = +-1 comes from the row y -+ 1, likewise for z. 36 w_i is 12 at rest, 2 along an axis
+/// and 1 along a diagonal.
 template <class T>
 [[gnu::always_inline]] inline void gather(const FluidRow<T>& row, const Block& block, FluidSent<T>& sent) {
   const Strides& s = row.strides;
@@ -93,7 +95,8 @@ template <class T>
     sent.send(kSumY, i + shift, even_y, 3 * odd_y);
     sent.send(kSumZ, i + shift, even_z, 3 * odd_z);
 
-    // e_x = 0: the axes have twice the diagonals' weight, so they are twice the sums above (12 = 8 + 2 * 2)
+    // e_x = 0: the directions along axes have twice the weight of those with e_x = +-1 above, so twice the
+    // sums above are used; the rest population has 12 = 8 + 2 * 2
     const auto phi = [&](int ey, int ez) {
       const std::ptrdiff_t at = i - ey * s.y - ez * s.z;
       return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]);
@@ -105,14 +108,13 @@ template <class T>
   }
 }
 
-/// What a cell's neighbours receive from it: phi_i of (a) in parts that do not and that do change sign with
-/// e_x.
+/// phi_i of (a), in its parts that are even and odd in e_x.
 template <class T>
 struct Phi {
   T even, odd;
 };
 
-/// First half of (b) with stresses, which need second moments, too.
+/// First half of (b) with stresses: second moments, too.
 template <class T>
 [[gnu::always_inline]] inline void gather(const StressRow<T>& row, const Block& block, StressSent<T>& sent) {
   const Strides &s = row.fluid.strides, &t = row.stress_strides;
@@ -120,28 +122,29 @@ template <class T>
   const T *gx = rho + s.component, *gy = gx + s.component, *gz = gy + s.component;
   const T* __restrict xx = begin_of(row.p);
   const T *yy = xx + t.component, *xy = yy + t.component, *xz = xy + t.component, *yz = xz + t.component;
-  const T* __restrict c = begin_of(row.contrast);
+  const T* __restrict c = begin_of(row.factor);
   const T undisturbed = row.undisturbed;
   const int shift = kLanes - block.first;
 #pragma GCC ivdep
   for (int i = block.from; i < block.to; ++i) {
-    // along (e_x, e_y, 0): one of the rows at y -+ 1; 9/2 c is the weight of P in phi
+    // phi along (e_x, e_y, 0), from the row at y - e_y; `across` is that for e_x = 0. 9/2 c is the weight of
+    // P in phi.
     const auto in_y = [&](int ey, T& across) {
       const std::ptrdiff_t at = i - ey * s.y, p_at = i - ey * t.y;
-      const T weight = T(4.5) * c[i - ey * row.contrast_strides.y];
+      const T weight = T(4.5) * c[i - ey * row.factor_strides.y];
       across = rho[at] + T(3 * ey) * gy[at] + weight * yy[p_at];
       return Phi<T>{across + weight * xx[p_at], 3 * gx[at] + T(2 * ey) * weight * (xy[p_at] + undisturbed)};
     };
     const auto in_z = [&](int ez, T& across) {
       const std::ptrdiff_t at = i - ez * s.z, p_at = i - ez * t.z;
-      const T weight = T(4.5) * c[i - ez * row.contrast_strides.z];
+      const T weight = T(4.5) * c[i - ez * row.factor_strides.z];
       const T isotropic = rho[at] + T(3 * ez) * gz[at];
       across = isotropic - weight * (xx[p_at] + yy[p_at]);
       return Phi<T>{isotropic - weight * yy[p_at], 3 * gx[at] + T(2 * ez) * weight * xz[p_at]};
     };
     const auto corner = [&](int ey, int ez) {
       const std::ptrdiff_t at = i - ey * s.y - ez * s.z, p_at = i - ey * t.y - ez * t.z;
-      const T weight = T(4.5) * c[i - ey * row.contrast_strides.y - ez * row.contrast_strides.z];
+      const T weight = T(4.5) * c[i - ey * row.factor_strides.y - ez * row.factor_strides.z];
       return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]) +
              weight * (T(2 * ey * ez) * yz[p_at] - xx[p_at]);
     };
@@ -172,8 +175,8 @@ template <class T>
   }
 }
 
-/// Second half of (b) for density and momentum: what arrives from the left, from the right and from the same
-/// x, less (c), and the relaxation. Ghosts are handed on.
+/// Second half of (b) for density and momentum: sums of the populations that arrive from the left, from the
+/// right and from the same x, less (c); then the relaxation. Ghosts are copied.
 template <class T, class Sent>
 [[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block, const Sent& sent) {
   const std::ptrdiff_t k = row.strides.component;
@@ -198,7 +201,7 @@ template <class T, class Sent>
   }
 }
 
-/// The same, and for the stresses.
+/// Likewise for density, momentum and stresses.
 template <class T>
 [[gnu::always_inline]] inline void relax(const StressRow<T>& row, const Block& block,
                                          const StressSent<T>& sent) {

@@ -1,0 +1,246 @@
+#include "solver/fluid/quasisteady/moment_grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "solver/fluid/quasisteady/convection.hpp"
+#include "solver/fluid/quasisteady/moment_images.hpp"
+#include "solver/grid/transfers.hpp"
+
+namespace capstan {
+namespace {
+
+//                                                     rho gx gy gz
+constexpr std::array<double, kMoments> kStateToCoarse = {2, 1, 1, 1};
+constexpr std::array<double, kMoments> kStateToFine = {0.5, 1, 1, 1};
+constexpr std::array<double, kMoments> kResidualToCoarse = {2, 4, 4, 4};
+
+// Stresses are extrapolated by this share of a step in time only (measured for V = 0.1 ... 10). With 1,
+// errors of the stresses would no longer be damped from step to step; with 0, the error at the start of a
+// solve would be twice as large.
+constexpr double kStressExtrapolation = 0.8;
+
+/// P_xy of the undisturbed flow at shear rate 1: sum w_i e_x e_y 3 e_x (y - e_y dx).
+double couette_stress(double dx) { return -dx / 3; }
+
+/// Momentum of `field` += factor * vectors.
+template <class T>
+void add_vectors(double factor, const VectorField& vectors, RowField<T>& field) {
+  const IndexBox& box = vectors.box();
+  for_each_row_in_order(box, [&](int y, int z) {
+    for (int c = 0; c < 3; ++c) {
+      T* row = field.row(kGx + c, y, z) + (box.lo[0] - field.box().lo[0]);
+      for (int i = 0; i < box.size(0); ++i) row[i] += T(factor * vectors.row(c, y, z)[i]);
+    }
+  });
+}
+
+}  // namespace
+
+template <class T>
+MomentGrid<T>::MomentGrid(const IndexBox& box, const IndexBox& domain, const SideRules& domain_rules,
+                          double dx, double Re, bool has_stress, const Relaxation& relaxation)
+    : domain_(domain),
+      domain_rules_(domain_rules),
+      dx_(dx),
+      inertia_(Re * kAmbientViscosity * dx),
+      relaxation_(relaxation),
+      rules_(rules_of(box)),
+      state_{RowField<T>(box, kMoments), RowField<T>(box, kMoments)},
+      defect_(box, kMoments),
+      scratch_{RowField<T>(box, kMoments), RowField<T>(box, kMoments)} {
+  if (has_stress) stress_.emplace(box, rules_);
+}
+
+template <class T>
+SideRules MomentGrid<T>::rules_of(const IndexBox& box) const {
+  SideRules rules = domain_rules_;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.lo[axis] != domain_.lo[axis]) rules.side[axis][0] = SideRule::interpolated;
+    if (box.hi[axis] != domain_.hi[axis]) rules.side[axis][1] = SideRule::interpolated;
+  }
+  return rules;
+}
+
+// scratch_.next = keep m + blend (S(m) + D). Every row is written by one thread from values that no thread
+// changes: the result does not depend on the number of threads.
+template <class T>
+void MomentGrid<T>::sweep(double keep, double blend, double p_keep, double p_blend) {
+  const RowField<T>& m = state_.now;
+  fill_ghosts(state_.now, rules_, kMomentImages);
+  if (stress_) stress_->fill_ghosts();
+  for_each_row(box(), [&](int y, int z) {
+    const FluidRow<T> row{.m = m.row(0, y, z),
+                          .defect = defect_.row(0, y, z),
+                          .out = scratch_.next.row(0, y, z),
+                          .strides = m.strides(),
+                          .count = box().size(0),
+                          .keep = T(keep),
+                          .blend = T(blend),
+                          .shear = T(inertia_ * (y + 0.5) * dx_ / 2),
+                          .lift = T(inertia_ * dx_)};
+    if (stress_ && stress_->has(y, z))
+      sweep_stress(stress_->row(row, y, z, T(p_keep), T(p_blend), T(couette_stress(dx_))));
+    else
+      sweep_fluid(row);
+  });
+}
+
+template <class T>
+void MomentGrid<T>::relax() {
+  const double gamma = relaxation_.gamma[sweep_parity_];
+  sweep_parity_ = 1 - sweep_parity_;
+  sweep(1 - gamma, gamma, 1 - relaxation_.p, relaxation_.p);
+  copy_interpolated(state_.now, scratch_.next, rules_);
+  std::swap(state_.now, scratch_.next);
+  if (stress_) stress_->accept_sweep();
+}
+
+template <class T>
+void MomentGrid<T>::restrict_to(MomentGrid& coarse) {
+  average_children(state_.now, coarse.state_.now, coarsened(box()), kStateToCoarse);
+  if (stress_) stress_->restrict_to(*coarse.stress_);
+  sweep_residual();
+  coarse.take_defect(*this);
+}
+
+// Eq. 24: D_H = A_H(I m) + I' r_h, in the cells whose whole stencil is covered by the fine grid; elsewhere
+// this grid keeps its own D. The residual of this grid is r_H = D - A_H(I m) with the old D, so the new one
+// is D - r_H + I' r_h.
+template <class T>
+void MomentGrid<T>::take_defect(MomentGrid& fine) {
+  sweep_residual();
+  const IndexBox inner = covered_stencils(fine);
+  RowField<T>& fine_residual = scratch_.start;
+  average_children(fine.scratch_.next, fine_residual, inner, kResidualToCoarse);
+  add_difference(fine_residual, scratch_.next, defect_, inner);
+  if (is_whole()) subtract_mean_mass_defect();
+  if (stress_) stress_->take_defect(*fine.stress_);
+  scratch_.start = state_.now;
+}
+
+/// The cells whose neighbours, too, are covered by the fine grid.
+template <class T>
+IndexBox MomentGrid<T>::covered_stencils(const MomentGrid& fine) const {
+  IndexBox inner = coarsened(fine.box());
+  for (int axis = 0; axis < 3; ++axis) {
+    if (inner.lo[axis] != domain_.lo[axis]) ++inner.lo[axis];
+    if (inner.hi[axis] != domain_.hi[axis]) --inner.hi[axis];
+  }
+  return inner;
+}
+
+/// A domain without an outlet has a steady solution only if its sources of mass sum up to zero.
+template <class T>
+void MomentGrid<T>::subtract_mean_mass_defect() {
+  const IndexBox& cells = box();
+  double sum = 0;  // in one order, so that it does not depend on the number of threads
+  for_each_row_in_order(cells, [&](int y, int z) {
+    const T* row = defect_.row(kRho, y, z);
+    for (int i = 0; i < cells.size(0); ++i) sum += row[i];
+  });
+  const T mean = T(sum / double(cells.cells()));
+  for_each_row_in_order(cells, [&](int y, int z) {
+    T* row = defect_.row(kRho, y, z);
+    for (int i = 0; i < cells.size(0); ++i) row[i] -= mean;
+  });
+}
+
+// Eq. 25.
+template <class T>
+void MomentGrid<T>::correct_from(MomentGrid& coarse) {
+  coarse.take_change();
+  add_linear(coarse.scratch_.start, state_.now, box(), kStateToFine);
+  if (stress_) stress_->correct_from(*coarse.stress_);
+  interpolate_ghosts(coarse);
+}
+
+/// scratch_.start <- m - scratch_.start, ghosts included.
+template <class T>
+void MomentGrid<T>::take_change() {
+  fill_ghosts(state_.now, rules_, kMomentImages);
+  take_difference(state_.now.data(), scratch_.start.data());
+  if (stress_) stress_->take_change();
+}
+
+template <class T>
+void MomentGrid<T>::interpolate_ghosts(const MomentGrid& coarse) {
+  const IndexBox all = with_interpolated_ghosts(box());
+  IndexBox rest = all;  // without the layers that are done
+  for (int axis = 0; axis < 3; ++axis) {
+    IndexBox low = rest, high = rest;
+    low.hi[axis] = rest.lo[axis] = box().lo[axis];
+    high.lo[axis] = rest.hi[axis] = box().hi[axis];
+    for (const IndexBox& layer : {low, high})
+      if (layer.cells() > 0) interpolate(coarse.state_.now, state_.now, layer, kStateToFine);
+  }
+}
+
+template <class T>
+void MomentGrid<T>::clear_force() {
+  std::ranges::fill(defect_.data(), T(0));
+  if (stress_) stress_->clear_defect();
+}
+
+template <class T>
+void MomentGrid<T>::add_force(const VectorField& force) {
+  add_vectors(1, force, defect_);
+}
+
+template <class T>
+void MomentGrid<T>::add_convection() {
+  if (inertia_ == 0) return;
+  fill_ghosts(state_.now, rules_, kMomentImages);
+  subtract_convection(state_.now, inertia_, defect_);
+}
+
+template <class T>
+void MomentGrid<T>::add_momentum(double factor, const VectorField& force) {
+  add_vectors(factor, force, state_.now);
+}
+
+template <class T>
+void MomentGrid<T>::extrapolate(double weight) {
+  capstan::extrapolate(state_.now.data(), state_.before.data(), weight);
+  if (stress_) stress_->extrapolate(kStressExtrapolation * weight);
+}
+
+template <class T>
+void MomentGrid<T>::move_to(const IndexBox& box, MomentGrid& coarse) {
+  rules_ = rules_of(box);
+  for (auto [fine, parents] :
+       {std::pair{&state_.now, &coarse.state_.now}, std::pair{&state_.before, &coarse.state_.before}}) {
+    fill_ghosts(*parents, coarse.rules_, kMomentImages);
+    RowField<T>& moved = scratch_.next;
+    moved.reset(box);
+    interpolate(*parents, moved, with_interpolated_ghosts(box), kStateToFine);
+    copy_cells(*fine, moved);
+    std::swap(*fine, moved);
+  }
+  for (RowField<T>* field : {&scratch_.next, &defect_, &scratch_.start}) field->reset(box);
+  if (stress_) stress_->move_to(box, rules_);
+}
+
+template <class T>
+IndexBox MomentGrid<T>::with_interpolated_ghosts(IndexBox box) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (rules_.side[axis][0] == SideRule::interpolated) --box.lo[axis];
+    if (rules_.side[axis][1] == SideRule::interpolated) ++box.hi[axis];
+  }
+  return box;
+}
+
+template <class T>
+void MomentGrid<T>::momentum(VectorField& g) const {
+  for_each_row_in_order(g.box(), [&](int y, int z) {
+    for (int c = 0; c < 3; ++c)
+      std::copy_n(state_.now.row(kGx + c, y, z) + (g.box().lo[0] - box().lo[0]), g.box().size(0),
+                  g.row(c, y, z));
+  });
+}
+
+template class MomentGrid<float>;
+template class MomentGrid<double>;
+
+}  // namespace capstan

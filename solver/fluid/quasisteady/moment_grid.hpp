@@ -1,0 +1,107 @@
+#pragma once
+// One grid of the composite grid: a box of cells of one spacing, and the lattice Boltzmann equation in
+// moments on it (moment_sweep.hpp).
+//
+// The unknowns are deviations from the undisturbed shear flow u = (y, 0, 0), which solves the same equation.
+// So walls are at rest, and the unknowns decay with the distance from the capsule. The momentum g is a
+// velocity in units of a k on every grid (the equation is linear, so any unit serves). Then density, stresses
+// and their residuals are proportional to the spacing; forces and the residual of g are proportional to its
+// square.
+#include <optional>
+
+#include "solver/fluid/quasisteady/moment_sweep.hpp"
+#include "solver/fluid/quasisteady/stress_field.hpp"
+
+namespace capstan {
+
+/// Relaxation factors of the sweeps over a grid.
+struct Relaxation {
+  double gamma[2];  ///< of density and momentum, in alternate sweeps
+  double p;         ///< of stresses
+};
+
+template <class T>
+class MomentGrid {
+ public:
+  /// \param domain        all cells of this spacing; sides of `box` that are not sides of the domain are
+  /// interpolated \param domain_rules  rules of the sides of the domain \param dx            spacing / a
+  /// \param has_stress    whether the viscosity differs from the ambient one anywhere
+  MomentGrid(const IndexBox& box, const IndexBox& domain, const SideRules& domain_rules, double dx, double Re,
+             bool has_stress, const Relaxation& relaxation);
+
+  const IndexBox& box() const { return state_.now.box(); }
+  /// Whether the grid covers the whole domain.
+  bool is_whole() const { return box() == domain_; }
+
+  // A FasLevel:
+  void relax();
+  void restrict_to(MomentGrid& coarse);
+  void correct_from(MomentGrid& coarse);
+
+  /// Ratio of the viscosity to the ambient one, in the cells of the field's box; 1 elsewhere.
+  void set_viscosity(const ScalarField& ratio) { stress_->set_viscosity(ratio); }
+
+  /// D <- 0.
+  void clear_force();
+  /// D <- D + force, in the cells of the field's box (units a k per sweep).
+  void add_force(const VectorField& force);
+  /// D <- D + the part of convection that is kept constant during a solve (convection.hpp), of the present
+  /// flow.
+  void add_convection();
+  /// g <- g + factor * force. (The velocity is u = g - F/2.)
+  void add_momentum(double factor, const VectorField& force);
+
+  /// Linear extrapolation in time: moments <- moments + weight (moments - moments of the last call).
+  void extrapolate(double weight);
+
+  /// Moves the grid to another box. Cells that it did not cover before, and its ghosts, are interpolated from
+  /// the coarser grid.
+  void move_to(const IndexBox& box, MomentGrid& coarse);
+
+  /// g in the cells of the field's box, which must be inside this grid (units a k, without the shear flow).
+  void momentum(VectorField& g) const;
+
+  /// Calls visit(name, RowField<T>&) for everything that the next solve depends on.
+  /// \tparam Self  MomentGrid, or const MomentGrid for const fields
+  template <class Self, class Visit>
+  static void visit_state(Self& grid, Visit visit) {
+    visit("f", grid.state_.now), visit("before", grid.state_.before);
+    if (grid.stress_) visit("p", grid.stress_->state().now), visit("p_before", grid.stress_->state().before);
+  }
+
+ private:
+  void sweep(double keep, double blend, double p_keep, double p_blend);
+  /// scratch_.next <- residual S(m) + D - m, and likewise of the stresses.
+  void sweep_residual() { sweep(-1, 1, -1, 1); }
+  void take_defect(MomentGrid& fine);
+  void take_change();
+  IndexBox covered_stencils(const MomentGrid& fine) const;
+  void subtract_mean_mass_defect();
+  void interpolate_ghosts(const MomentGrid& coarse);
+  IndexBox with_interpolated_ghosts(IndexBox box) const;
+  SideRules rules_of(const IndexBox& box) const;
+
+  IndexBox domain_;
+  SideRules domain_rules_;
+  double dx_;
+  double inertia_;  ///< Re nu dx / a
+  Relaxation relaxation_;
+  int sweep_parity_ =
+      0;  ///< which gamma is next; 0 at the start of every solve (each visit has an even number of sweeps)
+  SideRules rules_;
+
+  /// Survives a solve, and is held by a checkpoint.
+  struct State {
+    RowField<T> now, before;  ///< moments, and those of the last solve
+  } state_;
+  RowField<T>
+      defect_;  ///< D: force, convection and, where a finer grid covers this one, its defect correction
+  /// Valid within one cycle only.
+  struct Scratch {
+    RowField<T> next;   ///< result of a sweep: the next moments, or a residual
+    RowField<T> start;  ///< I m of the finer grid, then the change since
+  } scratch_;
+  std::optional<StressField<T>> stress_;
+};
+
+}  // namespace capstan

@@ -1,0 +1,82 @@
+#pragma once
+// Stresses on one grid, in and near the cells where the viscosity differs from the ambient one
+// (moment_sweep.hpp).
+#include <vector>
+
+#include "solver/fluid/quasisteady/moment_sweep.hpp"
+#include "solver/grid/cell_field.hpp"
+#include "solver/grid/ghosts.hpp"
+
+namespace capstan {
+
+/// The stress P and the factor c = 1 - s. Only some rows are computed; in all others everything is zero.
+template <class T>
+class StressField {
+ public:
+  StressField(const IndexBox& box, const SideRules& rules);
+
+  /// Sets c, and the rows that are computed: those with a cell of another viscosity, the rows next to them,
+  /// and all rows that have a coarse parent row in common with one of these (a coarser grid averages over
+  /// them). \param ratio  of the viscosity to the ambient one; 1 outside of its box
+  void set_viscosity(const ScalarField& ratio);
+
+  /// Whether a row is computed.
+  bool has(int y, int z) const { return rows_[row_index(y, z)]; }
+
+  void fill_ghosts();
+  /// The arguments of a sweep over a row of this field and of the moments. The result goes to scratch.
+  /// \param undisturbed  P_xy of the undisturbed flow
+  StressRow<T> row(const FluidRow<T>& fluid, int y, int z, T keep, T blend, T undisturbed);
+  /// Takes the result of a sweep as the new P.
+  void accept_sweep() { std::swap(state_.now, scratch_.next); }
+
+  void clear_defect();
+
+  // The parts of a FAS cycle; to be called after the same parts for the moments (see MomentGrid).
+  void restrict_to(StressField& coarse) const;
+  void take_defect(StressField& fine);
+  void take_change();
+  void correct_from(const StressField& coarse);
+
+  /// Moves the field to another box. Stresses of the cells that both boxes have are kept.
+  void move_to(const IndexBox& box, const SideRules& rules);
+
+  /// Linear extrapolation in time: P <- P + weight (P - P of the last call).
+  void extrapolate(double weight);
+
+  /// Survives a solve, and is held by a checkpoint.
+  struct State {
+    RowField<T> now, before;  ///< P, and that of the last solve
+  };
+  State& state() { return state_; }
+  const State& state() const { return state_; }
+
+ private:
+  /// Calls visit(y, z) for the rows of a region that are computed, one after the other.
+  template <class Visit>
+  void for_each_computed_row(const IndexBox& region, Visit visit) const {
+    for_each_row_in_order(region, [&](int y, int z) {
+      if (has(y, z)) visit(y, z);
+    });
+  }
+  const IndexBox& box() const { return factor_.box(); }
+  std::size_t row_index(int y, int z) const {
+    return std::size_t(z - box().lo[2]) * box().size(1) + std::size_t(y - box().lo[1]);
+  }
+  std::vector<char> rows_near(const std::vector<char>& rows) const;
+  void clear_rows_outside(const std::vector<char>& rows);
+
+  SideRules rules_;
+  State state_;
+  // Inputs of a solve
+  RowField<T> factor_;      ///< c = 1 - s
+  std::vector<char> rows_;  ///< whether each row is computed
+  RowField<T> defect_;      ///< D of the stresses: the defect correction of the finer grid
+  /// Valid within one cycle only.
+  struct Scratch {
+    RowField<T> next;   ///< result of a sweep: the next P, or a residual
+    RowField<T> start;  ///< I P of the finer grid, then the change since
+  } scratch_;
+};
+
+}  // namespace capstan
