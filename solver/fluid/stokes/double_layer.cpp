@@ -7,7 +7,7 @@
 namespace capstan {
 namespace {
 
-/// T_ijk N_k as a matrix (i, j).
+/// T_ijk(r) N_k as a matrix (i, j).
 Eigen::Matrix3d stresslet(const Vec3& r, const Vec3& area_vector) {
   const double r2 = r.squaredNorm();
   return -6 * r.dot(area_vector) / (r2 * r2 * std::sqrt(r2)) * r * r.transpose();

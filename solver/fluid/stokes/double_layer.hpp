@@ -1,16 +1,17 @@
 #pragma once
-// What a viscosity contrast does to the flow (Pozrikidis 1992, section 5.3), with the velocity at x0
-// subtracted:
-//   K u(x0) = 1/(8 pi) int [u(x) - u(x0)]_i T_ijk(x - x0) n_k dA
-// The integrand is bounded, so the vertex rule serves without any term for x0 itself, and K of a rigid motion
-// is zero exactly. On the sphere a strain has K u = 2/5 u.
+// The double layer potential, the effect of a viscosity ratio on the flow (Pozrikidis 1992, section 5.3),
+// with the velocity at x0 subtracted:
+//   K u(x0)_j = 1/(8 pi) int [u(x) - u(x0)]_i T_ijk(x - x0) n_k dA.
+// The integrand is bounded, so the vertex rule can leave out x0 itself, and K u = 0 exactly for a rigid
+// motion. On the unit sphere K u = 2/5 u for a pure strain u.
 #include "solver/fluid/stokes/neighbourhood.hpp"
 
 namespace capstan {
 
 class DoubleLayer {
  public:
-  /// \param close of neighbourhood.close_faces(surface): there the faces are split
+  /// \param close  result of neighbourhood.close_faces(surface): these faces are split for a more accurate
+  /// rule
   DoubleLayer(const Surface& surface, const Neighbourhood& neighbourhood,
               const std::vector<CloseFace>& close);
 
@@ -18,11 +19,12 @@ class DoubleLayer {
   Points apply(const Points& velocities) const;
 
  private:
-  /// What a close face adds to the vertex rule, for the velocities of its corners against that of the target.
+  /// The integral over a close face less its share in the vertex rule: a linear function of the velocities of
+  /// its corners relative to the target's.
   struct Correction {
-    int slot;
+    int slot;  ///< of the target
     Eigen::Vector3i corners;
-    std::array<Eigen::Matrix3d, 3> of_corner;
+    std::array<Eigen::Matrix3d, 3> of_corner;  ///< factor of each corner's relative velocity
   };
   static Correction make_correction(const Surface& surface, int target, const CloseFace& here);
 

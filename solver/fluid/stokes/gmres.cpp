@@ -5,18 +5,17 @@
 namespace capstan {
 
 LinearSolution solve_gmres(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply,
-                           const Eigen::VectorXd& b, double tolerance, int most_products,
-                           Eigen::VectorXd& x) {
+                           const Eigen::VectorXd& b, double tolerance, int max_products, Eigen::VectorXd& x) {
   const Eigen::VectorXd residual = b - apply(x);
   const double beta = residual.norm(), wanted = tolerance * b.norm();
   LinearSolution solution{.products = 1, .relative_error = beta / b.norm()};
-  if (!(beta > wanted)) return solution;  // solved, or not a number
+  if (!(beta > wanted)) return solution;  // converged, or not a number
 
   std::vector<Eigen::VectorXd> basis{residual / beta};
-  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most_products + 1, most_products);
+  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(max_products + 1, max_products);
   Eigen::VectorXd coefficients;
-  for (int k = 0; solution.products < most_products; ++k) {
-    Eigen::VectorXd next = apply(basis[k]);  // Arnoldi: A times the last vector, orthogonal to all before
+  for (int k = 0; solution.products < max_products; ++k) {
+    Eigen::VectorXd next = apply(basis[k]);  // Arnoldi: A times the last vector, orthogonalised
     ++solution.products;
     for (int j = 0; j <= k; ++j) {
       hessenberg(j, k) = basis[j].dot(next);

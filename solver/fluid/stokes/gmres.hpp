@@ -1,20 +1,21 @@
 #pragma once
-// Generalised minimal residuals (Saad and Schultz 1986) for an operator that is only known by what it does to
-// a vector. Eigen's own GMRES measures its tolerance against the first residual, which a good start makes
-// small.
+// The generalised minimal residual method (GMRES, Saad and Schultz 1986), without restarts, for an operator
+// given as a function. Eigen's own GMRES measures its tolerance relative to the first residual, which is
+// small after a good start.
 #include <Eigen/Dense>
 #include <functional>
 
 namespace capstan {
 
 struct LinearSolution {
-  int products = 0;           ///< of the operator with a vector
+  int products = 0;           ///< number of operator-vector products
   double relative_error = 0;  ///< |b - A x| / |b|
 };
 
-/// Solves A x = b to |b - A x| <= tolerance |b|, or as far as `most_products` reach.
-/// \param x the first guess in, the solution out
+/// Solves A x = b until |b - A x| <= tolerance |b|, or until `max_products` products were computed.
+/// \param apply  computes A v from v
+/// \param x      in: the initial guess; out: the solution
 LinearSolution solve_gmres(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply,
-                           const Eigen::VectorXd& b, double tolerance, int most_products, Eigen::VectorXd& x);
+                           const Eigen::VectorXd& b, double tolerance, int max_products, Eigen::VectorXd& x);
 
 }  // namespace capstan

@@ -15,7 +15,7 @@ std::vector<std::vector<Corner>> corners_around_vertices(const TriangleMesh& mes
   return corners;
 }
 
-/// #V, padded with zeros: the square of the longest edge at each vertex.
+/// The squared length of the longest edge at each vertex. #V, padded with zeros.
 std::vector<float> squared_reach(const Surface& surface) {
   std::vector<float> reach(size_t(surface.points.padded_size()), 0.f);
   for (const Edge& edge : surface.mesh.edges) {
@@ -35,7 +35,8 @@ Neighbourhood::Neighbourhood(const TriangleMesh& mesh, std::vector<int> targets)
   number_near_faces();
 }
 
-/// Of the whole capsule's faces a quarter's targets have less than half in their rings.
+/// Lists the faces of all two-rings, each once, and replaces faces by their index in this list: rules are
+/// computed for these faces only, which for a quarter of the vertices are less than half of all.
 void Neighbourhood::number_near_faces() {
   std::vector<int> numbers(size_t(faces_.cols()), -1);
   for (Rings& rings : rings_)

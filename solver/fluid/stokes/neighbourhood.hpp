@@ -1,5 +1,5 @@
 #pragma once
-// Which faces are too near to a vertex for the vertex rule.
+// The faces that are too near to a vertex for the vertex rule.
 #include <algorithm>
 #include <span>
 #include <vector>
@@ -8,26 +8,27 @@
 
 namespace capstan {
 
-/// A face seen from one of its corners: (that corner, next, last) counter-clockwise.
+/// A face at one of its corners. The corners (this one, next, last) are in counter-clockwise order.
 struct Corner {
-  int face, next, last;
+  int face;
+  int next, last;  ///< vertices
 };
 
-/// The faces near one target by the mesh.
+/// The faces near a target vertex in the topology of the mesh.
 struct Rings {
-  std::vector<Corner> one_ring;  ///< they touch the target
-  std::vector<int> two_ring;  ///< faces that touch one of its neighbours, but not the target; in `near_faces`
+  std::vector<Corner> one_ring;  ///< faces that touch the target
+  std::vector<int> two_ring;  ///< other faces that touch a neighbour of the target: indices into near_faces()
   std::vector<int> faces;     ///< both, sorted
-  std::vector<int> vertices;  ///< the corners of all of them, the target among them, sorted
+  std::vector<int> vertices;  ///< corners of all these faces, the target included, sorted
 };
 
-/// A face that is near a target without the mesh saying so.
+/// A face that is near a target in space, but not in the topology of the mesh.
 struct CloseFace {
-  int slot;  ///< of the target, in `targets`
+  int slot;  ///< of the target: index into targets()
   int face;
 };
 
-/// The part of a list in the order of the targets that belongs to one of them.
+/// The faces that are close to one target. \param close  sorted by target
 inline std::span<const CloseFace> close_to(const std::vector<CloseFace>& close, int slot) {
   const auto first = std::ranges::lower_bound(close, slot, {}, &CloseFace::slot);
   const auto last = std::ranges::upper_bound(close, slot, {}, &CloseFace::slot);
@@ -36,16 +37,18 @@ inline std::span<const CloseFace> close_to(const std::vector<CloseFace>& close, 
 
 class Neighbourhood {
  public:
-  /// \param targets the vertices at which the flow is wanted
+  /// \param targets  the vertices at which velocities are computed
   Neighbourhood(const TriangleMesh& mesh, std::vector<int> targets);
 
   const std::vector<int>& targets() const { return targets_; }
-  const std::vector<Rings>& rings() const { return rings_; }          ///< of each target
-  const std::vector<int>& near_faces() const { return near_faces_; }  ///< those in the two-ring of any target
+  /// Rings of each target.
+  const std::vector<Rings>& rings() const { return rings_; }
+  /// The faces in the two-ring of any target.
+  const std::vector<int>& near_faces() const { return near_faces_; }
 
-  /// Where the surface comes near to itself: folds, dimples whose sheets meet, elements that are drawn out.
-  /// The faces outside a target's rings with a corner nearer to it than the longest edge at that corner, in
-  /// the order of the targets. On a regular mesh there is none.
+  /// Faces where the surface comes near to itself: folds, dimples whose sheets meet, elongated elements.
+  /// These are the faces outside of a target's rings with a corner that is nearer to the target than the
+  /// longest edge at that corner. Sorted by target; empty on a regular mesh.
   std::vector<CloseFace> close_faces(const Surface& surface) const;
 
  private:
@@ -55,7 +58,7 @@ class Neighbourhood {
                                   const std::vector<float>& reach_squared) const;
 
   std::vector<int> targets_;
-  std::vector<std::vector<Corner>> corners_;  ///< #V: the faces around each vertex
+  std::vector<std::vector<Corner>> corners_;  ///< #V: corners of the faces around each vertex
   Faces faces_;
   std::vector<Rings> rings_;
   std::vector<int> near_faces_;

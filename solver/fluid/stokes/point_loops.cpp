@@ -1,7 +1,7 @@
-// Compiled three times, for CAPSTAN_UNIT = x86_64, x86_64_v3 and x86_64_v4. No inline function of another
-// header may be used here: the linker keeps one of its copies, which might need the widest unit. Sums may be
-// reordered (-ffast-math). The numbers are the same for any number of threads, and differ in the last bits
-// between the units.
+// Compiled three times, for CAPSTAN_UNIT = x86_64, x86_64_v3 and x86_64_v4. Inline functions of other headers
+// must not be used here: the linker would keep one copy of each, possibly one that needs AVX-512. Sums may be
+// reordered (-ffast-math). Results do not depend on the number of threads, but differ in the last bits
+// between the instruction sets.
 #include "solver/fluid/stokes/point_loops.hpp"
 
 #include <immintrin.h>
@@ -9,7 +9,7 @@
 namespace capstan {
 namespace {
 
-// 1/sqrt(a) to 12 or 14 bits; 0 where a is.
+// An estimate of 1/sqrt(a), accurate to 12 or 14 bits; 0 for a = 0.
 #if defined(__AVX512F__)
 using Vector = __m512;
 Vector estimate_inverse_root(Vector a) {
@@ -36,7 +36,7 @@ float sum_of_lanes(Vector lanes) {
   return sum;
 }
 
-/// 1/r by one step of Newton's method; 0 where r is.
+/// 1/r from r^2, the estimate improved by one step of Newton's method; 0 for r = 0.
 Vector inverse_root(Vector r2) {
   const Vector estimate = estimate_inverse_root(r2);
   return estimate * (1.5f - 0.5f * r2 * estimate * estimate);

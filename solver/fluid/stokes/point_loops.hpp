@@ -1,16 +1,18 @@
 #pragma once
-// The loops of point_sums.hpp over plain arrays, compiled once for each kind of vector unit.
+// The loops of point_sums.hpp over plain arrays, compiled once for each instruction set.
 #include <vector>
 
 namespace capstan {
 
-/// Three numbers a point, as many points as fill whole vectors of 16 lanes.
+/// The components of an array of points, whose number is a multiple of 16.
 struct Components {
   const float *x, *y, *z;
 };
 
+/// The loops for one instruction set; see point_sums.hpp. `count` is a multiple of 16, x0, u0 and sum are 3
+/// numbers.
 struct PointLoops {
-  const char* unit;  ///< as compilers name it, e.g. "x86-64-v4"
+  const char* unit;  ///< the instruction set, e.g. "x86_64_v4"
   void (*stokeslets)(int count, Components at, Components force, const float* x0, float* sum);
   void (*stresslets)(int count, Components at, Components area, Components u, const float* x0,
                      const float* u0, float* sum);
@@ -18,11 +20,11 @@ struct PointLoops {
                            unsigned char* marks);
 };
 
-extern const PointLoops kLoops_x86_64;     ///< SSE2: every 64-bit processor of the kind
+extern const PointLoops kLoops_x86_64;     ///< SSE2: any x86-64 processor
 extern const PointLoops kLoops_x86_64_v3;  ///< AVX2
 extern const PointLoops kLoops_x86_64_v4;  ///< AVX-512
 
-/// Those that this processor can run, the widest last.
+/// The loops that this processor can run, the widest last.
 std::vector<const PointLoops*> supported_point_loops();
 
 }  // namespace capstan

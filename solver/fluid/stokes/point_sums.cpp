@@ -7,7 +7,7 @@
 namespace capstan {
 namespace {
 
-/// The widest unit that this processor has.
+/// The loops for the widest instruction set of this processor.
 const PointLoops& loops() {
   static const PointLoops& widest = *supported_point_loops().back();
   return widest;

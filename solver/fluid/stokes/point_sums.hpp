@@ -1,16 +1,16 @@
 #pragma once
-// The sums over all pairs of the boundary integral method, in single precision on vector units: each reads
-// once over the sources for one target. With r = x - x0 and the kernels of Pozrikidis (1992):
+// The sums over all pairs of the boundary integral method: each function sums over all sources for one
+// target. With r = x - x0 and the kernels of Pozrikidis (1992):
 //   Stokeslet   G_ij = delta_ij / r + r_i r_j / r^3
 //   stresslet   T_ijk = -6 r_i r_j r_k / r^5
-// A source on the target itself counts for nothing. Single precision costs 1e-6 relative, below any
-// quadrature error.
+// A source at the target itself contributes nothing. Sums are in single precision, vectorised; their relative
+// error of 1e-6 is below any quadrature error.
 #include <Eigen/Core>
 #include <vector>
 
 namespace capstan {
 
-/// Three numbers a point, one array a component, padded with zeros to whole vectors.
+/// Points in single precision, one array a component, padded with zeros to whole vectors.
 class PointArray {
  public:
   static constexpr int kLanes = 16;
@@ -23,7 +23,7 @@ class PointArray {
   }
   /// \param values 3 x n
   void assign(const Eigen::Matrix3Xd& values);
-  /// Pads with zeros; to be called after the last push_back.
+  /// Pads with zeros. Must be called after the last push_back().
   void finish();
 
   int padded_size() const { return int(x_.size()); }
@@ -37,18 +37,23 @@ class PointArray {
   std::vector<float> x_, y_, z_;
 };
 
-/// sum_n G(x_n - x0) F_n.  \param points, strengths of equal size
+/// sum_n G(x_n - x0) F_n.
+/// \param points     x_n
+/// \param strengths  F_n
 Eigen::Vector3f sum_stokeslets(const PointArray& points, const PointArray& strengths,
                                const Eigen::Vector3f& x0);
 
-/// sum_n (u_n - u0)_i T_ijk(x_n - x0) N_k,n.  \param area_vectors N: outward normal times area
+/// sum_n (u_n - u0)_i T_ijk(x_n - x0) N_k,n.
+/// \param points        x_n
+/// \param area_vectors  N_n: outward normal times area
+/// \param velocities    u_n
 Eigen::Vector3f sum_stresslets(const PointArray& points, const PointArray& area_vectors,
                                const PointArray& velocities, const Eigen::Vector3f& x0,
                                const Eigen::Vector3f& u0);
 
-/// How many points lie within their own reach of x0, and which.
-/// \param reach_squared one number a point, padded with zeros   \param marks one a point, padded: 1 within
-/// reach, else 0
+/// Marks the points that are nearer to x0 than their own reach, and returns their number.
+/// \param reach_squared  of each point, padded with zeros
+/// \param marks          result, of each point, padded: 1 within reach, else 0
 int mark_within_reach(const PointArray& points, const std::vector<float>& reach_squared,
                       const Eigen::Vector3f& x0, std::vector<unsigned char>& marks);
 

@@ -7,11 +7,13 @@ namespace {
 
 constexpr int kMaxSplits = 3;
 
-/// \param part 3 x 3, barycentric coordinates of the corners of this part   \param share of the whole area
+/// Appends the rule for one part of the triangle.
+/// \param part   3 x 3, barycentric coordinates of the corners of the part
+/// \param share  of the area of the triangle
 void append_rule(const Eigen::Matrix3d& corners, const Vec3& x0, const Eigen::Matrix3d& part, double share,
                  int splits, std::vector<TrianglePoint>& rule) {
   const Eigen::Matrix3d x = corners * part;
-  if (splits == kMaxSplits || TriangleSize(x).is_served_from(x0)) {
+  if (splits == kMaxSplits || TriangleSize(x).can_integrate_from(x0)) {
     for (int n = 0; n < kGaussPoints; ++n) {
       const TrianglePoint point = gauss_point(n);
       rule.push_back({part * point.barycentric, share * point.weight});
@@ -32,8 +34,8 @@ void append_rule(const Eigen::Matrix3d& corners, const Vec3& x0, const Eigen::Ma
 
 TriangleSize::TriangleSize(const Eigen::Matrix3d& x)
     : centre(x.rowwise().mean()),
-      squared(std::max({(x.col(1) - x.col(0)).squaredNorm(), (x.col(2) - x.col(1)).squaredNorm(),
-                        (x.col(0) - x.col(2)).squaredNorm()})) {}
+      max_side2(std::max({(x.col(1) - x.col(0)).squaredNorm(), (x.col(2) - x.col(1)).squaredNorm(),
+                          (x.col(0) - x.col(2)).squaredNorm()})) {}
 
 std::vector<TrianglePoint> refined_rule(const Eigen::Matrix3d& corners, const Vec3& x0) {
   std::vector<TrianglePoint> rule;

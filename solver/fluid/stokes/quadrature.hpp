@@ -1,5 +1,5 @@
 #pragma once
-// Rules for integrals over triangles and edges.
+// Quadrature rules for triangles and edges.
 #include <array>
 #include <vector>
 
@@ -7,13 +7,13 @@
 
 namespace capstan {
 
-/// A point of a triangle by its barycentric coordinates; weights sum up to 1.
+/// A quadrature point of a triangle. The weights of a rule sum to 1: the factor is the area.
 struct TrianglePoint {
   Vec3 barycentric;
   double weight;
 };
 
-/// Three points, exact for polynomials of degree 2 (Strang and Fix 1973).
+/// The rule of three points, exact for polynomials of degree 2 (Strang and Fix 1973).
 inline constexpr int kGaussPoints = 3;
 inline TrianglePoint gauss_point(int n) {
   Vec3 barycentric = Vec3::Constant(1. / 6);
@@ -21,7 +21,7 @@ inline TrianglePoint gauss_point(int n) {
   return {barycentric, 1. / 3};
 }
 
-/// Gauss-Legendre on (0, 1) with five points, exact for degree 9.
+/// The Gauss-Legendre rule of five points on (0, 1), exact for degree 9.
 struct EdgePoint {
   double s, weight;
 };
@@ -31,18 +31,20 @@ inline constexpr std::array<EdgePoint, 5> kEdgeRule = {{{0.046910077030668, 0.11
                                                         {0.769234655052842, 0.239314335249683},
                                                         {0.953089922969332, 0.118463442528095}}};
 
-/// A triangle as far as it matters to the three-point rule, which serves for x0 no nearer than half its
-/// longest side: that is about the distance between its points.
+/// Decides whether the three-point rule is accurate enough for a kernel that is singular at x0: if x0 is at
+/// least half the longest side away from the triangle's centre. That is about the distance between the points
+/// of the rule.
 struct TriangleSize {
   explicit TriangleSize(const Eigen::Matrix3d& corners);
-  bool is_served_from(const Vec3& x0) const { return (centre - x0).squaredNorm() >= squared / 4; }
+  bool can_integrate_from(const Vec3& x0) const { return (centre - x0).squaredNorm() >= max_side2 / 4; }
 
   Vec3 centre;
-  double squared;  ///< longest side, squared
+  double max_side2;  ///< longest side, squared
 };
 
-/// The three-point rule on a triangle split into four again and again, until it serves on every part or a
-/// part has been split three times. \param corners 3 x 3, one column a corner
+/// A rule for a kernel that is singular at x0: the triangle is split into four parts, and these again, until
+/// the three-point rule is accurate enough on each part or a part has been split three times. \param corners
+/// 3 x 3, one column a corner
 std::vector<TrianglePoint> refined_rule(const Eigen::Matrix3d& corners, const Vec3& x0);
 
 }  // namespace capstan

@@ -12,7 +12,8 @@ struct PointForce {
   Eigen::Vector3f position, force;
 };
 
-/// Every quadrature rule ends as a list of point forces, so that one loop sums all of them.
+/// Point forces near one target. Every quadrature rule yields point forces, so that one loop sums all of
+/// them.
 class PointForces {
  public:
   void clear() { positions_.clear(), forces_.clear(); }
@@ -37,14 +38,15 @@ class SingleLayer {
     for (int face : neighbourhood.near_faces()) near_rules_.push_back(make_rule(face));
   }
 
-  /// \param near scratch, kept between targets
+  /// u at a target: the vertex rule over all faces, corrected on the faces near the target.
+  /// \param near  scratch
   Vec3 at(int target, const Rings& rings, std::span<const CloseFace> close, PointForces& near) const {
     const Vec3 x0 = surface_.positions.col(target);
     near.clear();
     for (const Corner& corner : rings.one_ring) replace_by_rays(target, corner, near);
     for (int n : rings.two_ring) {
       const FaceRule& rule = near_rules_[n];
-      if (rule.size.is_served_from(x0))
+      if (rule.size.can_integrate_from(x0))
         for (const PointForce& point : rule.points) near.add(point);
       else
         replace_by_split_face(x0, rule.face, near);
@@ -55,13 +57,13 @@ class SingleLayer {
   }
 
  private:
-  /// The share of a face in the vertex rule, taken back at one of its corners.
+  /// The share of a face in the vertex rule at one of its corners, with the opposite sign.
   PointForce taken_back(int face, int vertex) const {
     const Vec3 share = -surface_.face_areas[face] / 3 * densities_.col(vertex);
     return {surface_.positions.col(vertex).cast<float>(), share.cast<float>()};
   }
 
-  /// Three Gauss points on a face, and the vertex rule taken back.
+  /// The three-point rule on a face, less its share in the vertex rule.
   struct FaceRule {
     int face;
     TriangleSize size;
@@ -80,11 +82,11 @@ class SingleLayer {
     return rule;
   }
 
-  // On a face (x0, a, b) of area A let x = x0 + rho e(s), e(s) the vector from x0 to the point s of the
-  // opposite edge. G(rho e) = G(e)/rho cancels the rho of dA = 2 A rho drho ds, and with f linear along the
+  // On a face (x0, a, b) of area A let x = x0 + rho e(s), where e(s) is the vector from x0 to the point s of
+  // the edge ab. G(rho e) = G(e)/rho cancels the factor rho of dA = 2 A rho drho ds. With f linear along the
   // ray
   //   int G f dA = A int_0^1 G(e(s)) [f(x0) + f(x0 + e(s))] ds,
-  // which is a sum of point forces on the opposite edge.
+  // which the rule on (0, 1) turns into a sum of point forces on the edge ab.
   void replace_by_rays(int target, const Corner& corner, PointForces& near) const {
     const Vec3 a = surface_.positions.col(corner.next), b = surface_.positions.col(corner.last);
     const Vec3 f0 = densities_.col(target), fa = densities_.col(corner.next),
@@ -105,9 +107,9 @@ class SingleLayer {
   }
 
   const Surface& surface_;
-  Points densities_;   ///< 3 x #V: f, force per area
-  PointArray forces_;  ///< the vertex rule
-  std::vector<FaceRule> near_rules_;
+  Points densities_;                  ///< 3 x #V: f, force per area
+  PointArray forces_;                 ///< forces of the vertices: the vertex rule
+  std::vector<FaceRule> near_rules_;  ///< of neighbourhood.near_faces()
 };
 
 }  // namespace

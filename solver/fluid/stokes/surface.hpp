@@ -1,6 +1,6 @@
 #pragma once
-// The capsule's surface as the boundary integrals see it at one instant: flat triangles and the vertex rule,
-// in which a third of each triangle belongs to each of its corners.
+// The capsule's surface at one instant, as the boundary integrals need it: flat triangles, and the vertex
+// rule, a quadrature rule in which a third of the area of each triangle belongs to each of its corners.
 #include "solver/fluid/stokes/point_sums.hpp"
 #include "solver/mesh/triangle_mesh.hpp"
 
@@ -11,11 +11,12 @@ struct Surface {
 
   const TriangleMesh& mesh;
   const Points& positions;     ///< 3 x #V
-  Points face_area_vectors;    ///< 3 x #F
+  Points face_area_vectors;    ///< 3 x #F: outward normal times area
   Scalars face_areas;          ///< #F
-  Points vertex_area_vectors;  ///< 3 x #V: N_i, the gradient of the volume
-  Scalars vertex_areas;        ///< #V: A_i
-  PointArray points;           ///< the positions for the sums over pairs
+  Points vertex_area_vectors;  ///< 3 x #V: N_i = dVolume/dx_i, a third of the sum over the faces around the
+                               ///< vertex
+  Scalars vertex_areas;        ///< #V: A_i, likewise
+  PointArray points;           ///< the positions in single precision
 };
 
 }  // namespace capstan

@@ -13,7 +13,7 @@ struct System {
   }
 };
 
-TEST(Gmres, SolvesToTheToleranceItSays) {
+TEST(Gmres, ReachesTheToleranceAndReportsTheError) {
   const System system;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(30);
   const LinearSolution solution = solve_gmres(system.apply(), system.b, 1e-8, 40, x);
@@ -21,7 +21,7 @@ TEST(Gmres, SolvesToTheToleranceItSays) {
   EXPECT_NEAR((system.b - system.A * x).norm() / system.b.norm(), solution.relative_error, 1e-10);
 }
 
-TEST(Gmres, AGuessThatSolvesCostsOneProduct) {
+TEST(Gmres, AnExactGuessCostsOneProduct) {
   const System system;
   Eigen::VectorXd x = system.A.lu().solve(system.b);
   const Eigen::VectorXd guess = x;
@@ -29,7 +29,7 @@ TEST(Gmres, AGuessThatSolvesCostsOneProduct) {
   EXPECT_EQ(x, guess);
 }
 
-TEST(Gmres, SaysHowFarItCameWithTooFewProducts) {
+TEST(Gmres, ReportsTheErrorThatTooFewProductsLeave) {
   const System system;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(30);
   const LinearSolution solution = solve_gmres(system.apply(), system.b, 1e-8, 4, x);
@@ -38,7 +38,7 @@ TEST(Gmres, SaysHowFarItCameWithTooFewProducts) {
   EXPECT_LT(solution.relative_error, 1);
 }
 
-TEST(Gmres, NumbersThatAreNotFiniteEndItWithoutAnAnswer) {
+TEST(Gmres, StopsUnconvergedOnNumbersThatAreNotFinite) {
   const System system;
   Eigen::VectorXd x = Eigen::VectorXd::Constant(30, NAN);
   EXPECT_FALSE(solve_gmres(system.apply(), system.b, 1e-8, 40, x).relative_error <= 1e-8);

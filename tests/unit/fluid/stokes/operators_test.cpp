@@ -1,5 +1,5 @@
-// Single and double layer against their eigenfunctions on the unit sphere (Kim and Karrila 1991, chapter 4),
-// and what they must keep on surfaces that are not spheres.
+// The single and the double layer: their eigenfunctions on the unit sphere (Kim and Karrila 1991, chapter 4),
+// and their invariants on other surfaces.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -19,7 +19,7 @@ std::vector<int> all_vertices(const TriangleMesh& mesh) {
   return vertices;
 }
 
-/// A surface with both operators, the flow wanted at every vertex.
+/// Both operators on a surface, with all vertices as targets.
 struct Operators {
   Operators(const TriangleMesh& mesh, const Points& positions_)
       : positions(positions_),
@@ -27,7 +27,7 @@ struct Operators {
         neighbourhood(mesh, all_vertices(mesh)),
         close(neighbourhood.close_faces(surface)) {}
 
-  /// Velocity of a density of force per area.
+  /// Velocity by a force per area.
   Points single_layer(const Points& density) const {
     return of_forces(density * surface.vertex_areas.asDiagonal());
   }
@@ -60,8 +60,8 @@ Eigen::Matrix3d a_strain() {
 
 double relative_difference(const Points& a, const Points& b) { return (a - b).norm() / b.norm(); }
 
-// The traction a rigid sphere feels: 3/2 U in translation, 3 W x in rotation, 5 E x in a strain (viscosity,
-// radius 1).
+// Tractions on a rigid sphere of radius 1 in a fluid of viscosity 1: 3/2 U in translation, 3 W x in rotation,
+// 5 E x in a strain.
 TEST(SingleLayer, HasTheEigenvaluesOfTheSphere) {
   const Icosphere sphere = make_icosphere(3);
   const Operators on = sphere_of(sphere);
@@ -91,7 +91,8 @@ TEST(DoubleLayer, OfAStrainOfTheSphereConvergesToTwoFifthsOfItAtSecondOrder) {
   EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2, 0.2);
 }
 
-/// The power that unit forces at the vertices put into the fluid: its smallest eigenvalue, over the mean.
+/// The smallest eigenvalue of the symmetric part of the matrix from forces to velocities, over the mean of
+/// all eigenvalues.
 double smallest_eigenvalue(const Operators& on) {
   const Eigen::Index size = 3 * on.positions.cols();
   Eigen::MatrixXd matrix(size, size);
@@ -102,7 +103,7 @@ double smallest_eigenvalue(const Operators& on) {
   return solver.eigenvalues().minCoeff() / solver.eigenvalues().mean();
 }
 
-// Forces always do work on the fluid. Where a discrete operator forgets that, elements collapse.
+// Forces always do positive work on the fluid. If a discrete operator violates this, elements collapse.
 TEST(SingleLayer, IsPositiveOnStretchedElements) {
   const Icosphere sphere = make_icosphere(2);
   for (const Vec3& stretches : {Vec3(1, 1, 1), Vec3(3, 0.6, 0.6), Vec3(0.5, 0.5, 3), Vec3(1.5, 1.5, 0.5)})
@@ -115,25 +116,25 @@ TEST(SingleLayer, IsPositiveOnARedBloodCell) {
   EXPECT_GT(smallest_eigenvalue({sphere.mesh, biconcave(sphere.directions)}), 0.01);
 }
 
-/// A red cell whose dimples nearly touch: they are `thickness` times as far apart as at rest.
+/// A red blood cell whose dimples nearly touch: its thickness is multiplied by `thickness`.
 Points pinched(const Points& directions, double thickness) {
   Points positions = biconcave(directions);
   positions.row(1) *= thickness;
   return positions;
 }
 
-TEST(CloseFaces, ThereAreNoneOnARegularMesh) {
+TEST(CloseFaces, AreNoneOnARegularMesh) {
   const Icosphere sphere = make_icosphere(3);
   EXPECT_TRUE(sphere_of(sphere).close.empty());
 }
 
-TEST(CloseFaces, SheetsThatNearlyTouchAreFound) {
+TEST(CloseFaces, AreFoundWhereSheetsNearlyTouch) {
   const Icosphere sphere = make_icosphere(3);
   EXPECT_FALSE(Operators(sphere.mesh, pinched(sphere.directions, 0.3)).close.empty());
 }
 
-// The same fields on a mesh four times as fine, whose first vertices are those of the coarse one.
-TEST(CloseFaces, FlowBetweenSheetsThatNearlyTouchIsThatOfAFinerMesh) {
+// Compared at the vertices of the coarse mesh, which are the first vertices of the fine one.
+TEST(CloseFaces, MakeTheFlowBetweenNearlyTouchingSheetsThatOfAFinerMesh) {
   const Icosphere coarse = make_icosphere(3), fine = make_icosphere(4);
   ASSERT_EQ(fine.directions.leftCols(642), coarse.directions);
   const Operators on_coarse(coarse.mesh, pinched(coarse.directions, 0.3));

@@ -18,7 +18,7 @@ PointArray array_of(const Points& values) {
   return array;
 }
 
-/// Of a count that fills no whole vector.
+/// Random points and vectors; their number is no multiple of the vector length.
 struct Cloud {
   Points x = Points::Random(3, 37), f = Points::Random(3, 37), u = Points::Random(3, 37);
 };
@@ -42,7 +42,7 @@ Vec3 stresslets_in_double(const Cloud& cloud, const Vec3& x0, const Vec3& u0) {
   return sum;
 }
 
-TEST(PointSums, StokesletsAreThoseOfDoublePrecision) {
+TEST(PointSums, StokesletsEqualThoseInDoublePrecision) {
   const Cloud cloud;
   const Vec3 x0(0.1, -0.2, 1.5);
   const Vec3 exact = stokeslets_in_double(cloud, x0);
@@ -50,7 +50,7 @@ TEST(PointSums, StokesletsAreThoseOfDoublePrecision) {
   EXPECT_LT((sum.cast<double>() - exact).norm(), 1e-5 * exact.norm());
 }
 
-TEST(PointSums, StressletsAreThoseOfDoublePrecision) {
+TEST(PointSums, StressletsEqualThoseInDoublePrecision) {
   const Cloud cloud;
   const Vec3 x0(0.1, -0.2, 1.5), u0(0.3, 0.2, 0.1);
   const Vec3 exact = stresslets_in_double(cloud, x0, u0);
@@ -59,7 +59,7 @@ TEST(PointSums, StressletsAreThoseOfDoublePrecision) {
   EXPECT_LT((sum.cast<double>() - exact).norm(), 1e-5 * exact.norm());
 }
 
-TEST(PointSums, ASourceOnTheTargetCountsForNothing) {
+TEST(PointSums, ASourceAtTheTargetContributesNothing) {
   Cloud cloud;
   cloud.x = cloud.x.cast<float>().cast<double>();
   const Vec3 x0 = cloud.x.col(5), u0 = cloud.u.col(5).cast<float>().cast<double>();
@@ -74,8 +74,8 @@ TEST(PointSums, ASourceOnTheTargetCountsForNothing) {
 
 Components components(const PointArray& array) { return {array.x(), array.y(), array.z()}; }
 
-// The program takes the widest vector unit it finds; the others must serve where that one is missing.
-TEST(PointSums, EveryVectorUnitGivesThoseOfDoublePrecision) {
+// The program uses the widest instruction set of the processor; here all that the processor has are tested.
+TEST(PointSums, EveryInstructionSetGivesTheSumsOfDoublePrecision) {
   Cloud cloud;
   cloud.x = cloud.x.cast<float>().cast<double>();
   const Vec3 x0 = cloud.x.col(5), u0(0.3, 0.2, 0.1);
