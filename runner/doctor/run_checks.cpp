@@ -36,19 +36,19 @@ void compare_results(const std::filesystem::path& runs, Database& database, cons
 void compare_history(const RunDirectory& directory, const std::string& case_id, Database& database,
                      const RunFault& tell) {
   const HistoryFile file = read_history(directory.history_file());
-  const std::vector<HistoryRecord> stored = stored_history(database, case_id);
+  const History stored = stored_history(database, case_id);
   const auto store = [&, case_id, file] {
     Transaction transaction(database);
     store_history_file(database, case_id, file);
     transaction.commit();
   };
   const std::string rows = std::to_string(stored.size());
-  if (file.fault.empty() && stored.size() != file.records.size())
+  if (file.damage.empty() && stored.size() != file.records.size())
     tell("the database holds " + rows + " of the " + std::to_string(file.records.size()) + " records in " +
              directory.history_file().string(),
          store);
-  else if (!file.fault.empty() && (!stored.empty() || file.fault != "is missing"))
-    tell(directory.history_file().string() + " " + file.fault + "; the database holds " + rows + " records",
+  else if (!file.damage.empty() && (!stored.empty() || file.damage != "is missing"))
+    tell(directory.history_file().string() + " " + file.damage + "; the database holds " + rows + " records",
          [&, store] {
            store();
            std::filesystem::create_directories(directory.path());

@@ -3,7 +3,6 @@
 #include "runner/queries/case_filter.hpp"
 #include "runner/queries/case_json.hpp"
 #include "runner/queries/queries.hpp"
-#include "runner/recording/history.hpp"
 #include "runner/store/timestamp.hpp"
 
 namespace capstan {
@@ -87,21 +86,6 @@ std::optional<ordered_json> find_case(Database& database, const std::string& cas
   found["attempts"] = attempts_of(database, case_id);
   found["studies"] = studies_of(database, case_id);
   return found;
-}
-
-std::optional<ordered_json> find_history(Database& database, const std::string& case_id) {
-  if (!database.query("SELECT 1 FROM cases WHERE id = ?", case_id).step()) return std::nullopt;
-  ordered_json columns;
-  for (const char* name : kHistoryColumns) columns[name] = ordered_json::array();
-  Statement row = database.query(
-      "SELECT kt, D_xy, theta, psi, volume, area FROM histories WHERE case_id = ? ORDER BY record", case_id);
-  while (row.step())
-    for (std::size_t i = 0; i < kHistoryColumns.size(); ++i) {
-      const int column = static_cast<int>(i);
-      columns[kHistoryColumns[i]].push_back(row.is_null(column) ? ordered_json()
-                                                                : ordered_json(row.real(column)));
-    }
-  return columns;
 }
 
 }  // namespace capstan

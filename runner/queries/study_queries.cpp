@@ -8,7 +8,7 @@
 
 #include "runner/queue/case_state.hpp"
 #include "runner/store/timestamp.hpp"
-#include "solver/run_directory/motion.hpp"
+#include "solver/run_directory/result_words.hpp"
 
 namespace capstan {
 namespace {

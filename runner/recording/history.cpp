@@ -1,37 +1,50 @@
 #include "runner/recording/history.hpp"
 
-#include <cmath>
 #include <fstream>
-#include <limits>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
 
+#include "runner/store/history_columns.hpp"
 #include "solver/run_directory/durable_file.hpp"
 
 namespace capstan {
 namespace {
 
-std::optional<HistoryRecord> parse_record(const std::string& line) {
-  const nlohmann::json object = nlohmann::json::parse(line, nullptr, false);
-  if (!object.is_object()) return std::nullopt;
-  HistoryRecord record;
-  for (std::size_t column = 0; column < record.size(); ++column) {
-    const auto found = object.find(kHistoryColumns[column]);
-    const bool is_number = found != object.end() && found->is_number();
-    record[column] = is_number ? found->get<double>() : std::numeric_limits<double>::quiet_NaN();
+/// Parameters: the case, the number of the record, then the values in the order of the columns.
+std::string insertion() {
+  std::string names = "case_id, record", parameters = "?, ?";
+  for (const std::string& name : history_columns()) {
+    names += ", " + name;
+    parameters += ", ?";
   }
+  return "INSERT OR REPLACE INTO histories (" + names + ") VALUES (" + parameters + ")";
+}
+
+void store_record(Database& database, const std::string& case_id, std::size_t number, const Record& record) {
+  static const std::string sql = insertion();
+  Statement row = database.query(sql, case_id, static_cast<std::int64_t>(number));
+  int parameter = 2;
+  for (std::size_t i = 0; i < kObservableCount; ++i)
+    if (kObservables[i].is_in_database) row.bind(++parameter, record.values[i]);
+  while (row.step()) {
+  }
+}
+
+Record stored_record(const Statement& row) {
+  Record record;
+  int column = 0;
+  for (std::size_t i = 0; i < kObservableCount; ++i)
+    if (kObservables[i].is_in_database) record.values[i] = row.real(column++);
   return record;
 }
 
 }  // namespace
 
-std::vector<HistoryRecord> HistoryTail::read_new() {
-  std::vector<HistoryRecord> records;
+History HistoryTail::read_new() {
+  History records;
   std::ifstream stream(file_, std::ios::binary);
   stream.seekg(offset_);
   std::string line;
-  while (std::getline(stream, line) && !stream.eof()) {  // at the end of the file the line lacks its newline
+  while (std::getline(stream, line) && !stream.eof()) {  // eof: the line has no line end yet
     const auto record = parse_record(line);
     if (!record) break;
     records.push_back(*record);
@@ -41,7 +54,7 @@ std::vector<HistoryRecord> HistoryTail::read_new() {
   return records;
 }
 
-/// What follows the last newline was still being written when the process ended.
+/// Text after the last line end is ignored: the process ended while it was writing that line.
 HistoryFile read_history(const std::filesystem::path& file) try {
   const std::optional<std::string> text = read_file(file);
   if (!text) return {{}, "is missing"};
@@ -50,7 +63,7 @@ HistoryFile read_history(const std::filesystem::path& file) try {
   for (std::string line; std::getline(stream, line) && !stream.eof();) {
     const auto record = parse_record(line);
     if (!record) {
-      history.fault = "is damaged in line " + std::to_string(history.records.size() + 1);
+      history.damage = "is damaged in line " + std::to_string(history.records.size() + 1);
       break;
     }
     history.records.push_back(*record);
@@ -61,46 +74,34 @@ HistoryFile read_history(const std::filesystem::path& file) try {
   return {{}, "cannot be read: " + error.code().message()};
 }
 
-std::string history_lines(const std::vector<HistoryRecord>& records) {
+std::string history_lines(const History& records) {
   std::string lines;
-  for (const HistoryRecord& record : records) {
-    nlohmann::ordered_json line;
-    for (std::size_t column = 0; column < record.size(); ++column)
-      if (!std::isnan(record[column])) line[kHistoryColumns[column]] = record[column];
-    lines += line.dump() + '\n';
-  }
+  for (const Record& record : records) lines += to_json_line(record, Missing::left_out) + '\n';
   return lines;
 }
 
 void store_history(Database& database, const std::string& case_id, std::size_t first,
-                   const std::vector<HistoryRecord>& records) {
+                   const History& records) {
   if (records.empty()) return;
-  Transaction transaction(database, Survives::kill);  // the run directory has them, too
-  for (const HistoryRecord& record : records) {
-    const auto& [kt, D_xy, theta, psi, volume, area] = record;
-    database.execute("INSERT OR REPLACE INTO histories VALUES (?, ?, ?, ?, ?, ?, ?, ?)", case_id,
-                     static_cast<std::int64_t>(first++), kt, D_xy, theta, psi, volume, area);
-  }
-  database.execute("UPDATE cases SET kt = ? WHERE id = ?", records.back()[0], case_id);
+  Transaction transaction(database, Survives::kill);  // not synced: the run directory holds the records, too
+  for (const Record& record : records) store_record(database, case_id, first++, record);
+  database.execute("UPDATE cases SET kt = ? WHERE id = ?", records.back()["kt"], case_id);
   transaction.commit();
 }
 
 void store_history_file(Database& database, const std::string& case_id, const HistoryFile& file) {
   store_history(database, case_id, 0, file.records);
-  if (file.fault.empty())
+  if (file.damage.empty())
     database.execute("DELETE FROM histories WHERE case_id = ? AND record >= ?", case_id,
                      static_cast<std::int64_t>(file.records.size()));
 }
 
-std::vector<HistoryRecord> stored_history(Database& database, const std::string& case_id) {
-  std::vector<HistoryRecord> records;
+History stored_history(Database& database, const std::string& case_id) {
+  History records;
   Statement row = database.query(
-      "SELECT kt, D_xy, theta, psi, volume, area FROM histories WHERE case_id = ? ORDER BY record", case_id);
-  while (row.step()) {
-    HistoryRecord& record = records.emplace_back();
-    for (std::size_t column = 0; column < record.size(); ++column)
-      record[column] = row.real(static_cast<int>(column));
-  }
+      "SELECT " + history_columns_in(database) + " FROM histories WHERE case_id = ? ORDER BY record",
+      case_id);
+  while (row.step()) records.push_back(stored_record(row));
   return records;
 }
 

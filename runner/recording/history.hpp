@@ -1,20 +1,12 @@
 #pragma once
-// The history of a run: what history.jsonl says, and its rows in the database.
-#include <array>
+// The history of a run: history.jsonl, and its rows in the database.
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "runner/store/database.hpp"
+#include "solver/run_directory/history_line.hpp"
 
 namespace capstan {
-
-/// The columns that are kept, by their names in history.jsonl; kt comes first.
-inline constexpr std::array<const char*, 6> kHistoryColumns = {"kt",  "D_xy",   "theta",
-                                                               "psi", "volume", "area"};
-
-/// One recorded time; NaN where the file has no number.
-using HistoryRecord = std::array<double, kHistoryColumns.size()>;
 
 /// Follows one history.jsonl while its worker appends to it.
 class HistoryTail {
@@ -22,7 +14,7 @@ class HistoryTail {
   explicit HistoryTail(std::filesystem::path file) : file_(std::move(file)) {}
 
   /// The records that were added since the last call. A line still being written waits for the next call.
-  std::vector<HistoryRecord> read_new();
+  History read_new();
 
   /// Number of records returned so far.
   std::size_t size() const { return size_; }
@@ -33,27 +25,26 @@ class HistoryTail {
   std::size_t size_ = 0;
 };
 
-/// A history.jsonl whose run has ended.
+/// The history.jsonl of a run that has ended.
 struct HistoryFile {
-  std::vector<HistoryRecord> records;  ///< up to the first line that is none
-  std::string fault = {};              ///< why that is not all; "" if it is
+  History records;          ///< up to the first line that is not a record
+  std::string damage = {};  ///< why `records` is not the whole file: "is missing", ..; empty if it is
 };
 
 /// Throws std::filesystem::filesystem_error where the file can be read later (is_shortage).
 HistoryFile read_history(const std::filesystem::path& file);
 
-/// The lines of a history.jsonl with the columns that are kept.
-std::string history_lines(const std::vector<HistoryRecord>& records);
+/// The text of a history.jsonl. Observables that a record lacks are left out.
+std::string history_lines(const History& records);
 
-/// Writes records as number `first` and on, over what stands there.
-void store_history(Database& database, const std::string& case_id, std::size_t first,
-                   const std::vector<HistoryRecord>& records);
+/// Writes records as number `first`, `first` + 1, .. of the case, and replaces those that have these numbers.
+void store_history(Database& database, const std::string& case_id, std::size_t first, const History& records);
 
-/// The case's records are those of the file from now on. Of a file that is not whole only its records are
-/// taken, and the others stay as they are.
+/// Replaces the records of the case by those of the file. If the file is damaged, the records that it has are
+/// replaced and the others stay.
 void store_history_file(Database& database, const std::string& case_id, const HistoryFile& file);
 
-/// The records of a case, in their order.
-std::vector<HistoryRecord> stored_history(Database& database, const std::string& case_id);
+/// The records of a case, in the order of time. Observables that the database does not keep are NaN.
+History stored_history(Database& database, const std::string& case_id);
 
 }  // namespace capstan

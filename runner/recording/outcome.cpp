@@ -1,6 +1,6 @@
 #include "runner/recording/outcome.hpp"
 
-#include <set>
+#include "solver/run_directory/stop.hpp"
 
 namespace capstan {
 namespace {
@@ -13,15 +13,15 @@ std::string text_at(const nlohmann::ordered_json& object, const char* key) {
 }
 
 RunOutcome outcome_of_result(nlohmann::ordered_json result) {
-  static const std::set<std::string> answers = {"reached_end", "classified", "steady"};
   const auto format = result.find("format");
   if (format != result.end() && *format > kResultFormat)
     return {RunEnding::failed, "result.json has format " + format->dump() + ", this program reads format " +
                                    std::to_string(kResultFormat)};
-  const bool has_answer = answers.contains(text_at(result, "stop"));
-  if (!has_answer) result["motion"] = nullptr;  // older solvers labelled failed runs, too
+  const std::optional<Stop> stop = parse_stop(text_at(result, "stop"));
+  const bool is_answered = stop && has_answer(*stop);
+  if (!is_answered) result["motion"] = nullptr;  // older solvers labelled failed runs, too
   std::string message = text_at(result, "message");
-  return {has_answer ? RunEnding::done : RunEnding::diverged, std::move(message), std::move(result)};
+  return {is_answered ? RunEnding::done : RunEnding::diverged, std::move(message), std::move(result)};
 }
 
 std::string with_log(const std::string& reason, const RunDirectory& directory) {

@@ -6,6 +6,7 @@
 #include "runner/study/axis.hpp"
 #include "runner/study/shown_value.hpp"
 #include "solver/case/choice.hpp"
+#include "solver/run_directory/history_line.hpp"
 
 namespace capstan {
 namespace {
@@ -72,93 +73,40 @@ ordered_json in_unit(const ordered_json& value, double unit) {
   return value.is_number() && unit != 1 ? ordered_json(value.get<double>() / unit) : value;
 }
 
+using Names = std::initializer_list<std::string_view>;
+
+/// \param group  "fidelity.", say: the beginning of the paths of these columns
+void add_columns(std::vector<std::string>& columns, std::string_view group, Names names) {
+  for (const std::string_view name : names) columns.push_back(std::string(group) + std::string(name));
+}
+
+std::vector<std::string> make_known_columns() {
+  std::vector<std::string> all;
+  add_columns(all, "", {"id", "state", "motion", "message", "attempt"});
+  add_columns(all, "", {"point", "same_as", "replaces", "crashes", "progress", "kt"});
+  add_columns(all, "", {"stop", "explanation", "trust.warnings", "choices", "without_effect"});
+  const Names parameters = {"shape", "aspect", "law", "C", "Ca", "V", "Re", "E_b", "bending", "c0", "fluid"};
+  add_columns(all, "", parameters);
+  add_columns(all, "until.", {"kt", "classified"});
+  add_columns(all, "fidelity.", {"dx", "box", "nodes", "stepper", "kdt", "tolerance"});
+  add_columns(all, "fidelity.", {"scheme", "symmetry", "precision"});
+  add_columns(all, "outputs.", {"history_every", "shapes_every", "checkpoint_every"});
+  add_columns(all, "asked.", parameters);
+  add_columns(all, "asked.", {"fidelity"});
+  for (const Observable& observable : kObservables) add_columns(all, "final.", {observable.name});
+  add_columns(all, "evidence.", {"n_theta", "n_psi", "r", "D_min", "turns", "theta_range", "margin"});
+  add_columns(all, "cost.", {"seconds", "steps", "flow_iterations", "peak_memory_mb"});
+  add_columns(all, "trust.", {"numerics_version", "fluid", "bending"});
+  add_columns(all, "trust.", {"volume_drift", "area_drift", "worst_flow_error", "left_out"});
+  add_columns(all, "trust.surface.", {"largest_dihedral", "folded_edges", "smallest_angle"});
+  add_columns(all, "trust.surface.", {"folded_from", "lost_from"});
+  return all;
+}
+
 }  // namespace
 
 const std::vector<std::string>& known_columns() {
-  static const std::vector<std::string> columns = {"id",
-                                                   "state",
-                                                   "motion",
-                                                   "message",
-                                                   "attempt",  //
-                                                   "point",
-                                                   "same_as",
-                                                   "replaces",
-                                                   "crashes",
-                                                   "progress",
-                                                   "kt",
-                                                   "stop",
-                                                   "explanation",
-                                                   "trust.warnings",
-                                                   "choices",
-                                                   "without_effect",  //
-                                                   "shape",
-                                                   "aspect",
-                                                   "law",
-                                                   "C",
-                                                   "Ca",
-                                                   "V",
-                                                   "Re",
-                                                   "E_b",
-                                                   "bending",
-                                                   "c0",
-                                                   "fluid",  //
-                                                   "until.kt",
-                                                   "until.classified",  //
-                                                   "fidelity.dx",
-                                                   "fidelity.box",
-                                                   "fidelity.nodes",
-                                                   "fidelity.stepper",
-                                                   "fidelity.kdt",
-                                                   "fidelity.tolerance",
-                                                   "fidelity.scheme",
-                                                   "fidelity.symmetry",
-                                                   "fidelity.precision",  //
-                                                   "outputs.history_every",
-                                                   "outputs.shapes_every",
-                                                   "outputs.checkpoint_every",  //
-                                                   "asked.shape",
-                                                   "asked.aspect",
-                                                   "asked.law",
-                                                   "asked.C",
-                                                   "asked.Ca",
-                                                   "asked.V",
-                                                   "asked.Re",
-                                                   "asked.E_b",
-                                                   "asked.bending",
-                                                   "asked.c0",
-                                                   "asked.fluid",
-                                                   "asked.fidelity",  //
-                                                   "final.kt",
-                                                   "final.D_xy",
-                                                   "final.theta",
-                                                   "final.psi",
-                                                   "final.volume",
-                                                   "final.area",
-                                                   "final.iterations",
-                                                   "final.error",  //
-                                                   "evidence.n_theta",
-                                                   "evidence.n_psi",
-                                                   "evidence.r",
-                                                   "evidence.D_min",
-                                                   "evidence.turns",
-                                                   "evidence.theta_range",
-                                                   "evidence.margin",  //
-                                                   "cost.seconds",
-                                                   "cost.steps",
-                                                   "cost.flow_iterations",
-                                                   "cost.peak_memory_mb",  //
-                                                   "trust.numerics_version",
-                                                   "trust.fluid",
-                                                   "trust.bending",
-                                                   "trust.volume_drift",
-                                                   "trust.area_drift",
-                                                   "trust.worst_flow_error",
-                                                   "trust.left_out",
-                                                   "trust.surface.largest_dihedral",
-                                                   "trust.surface.folded_edges",
-                                                   "trust.surface.smallest_angle",
-                                                   "trust.surface.folded_from",
-                                                   "trust.surface.lost_from"};
+  static const std::vector<std::string> columns = make_known_columns();
   return columns;
 }
 

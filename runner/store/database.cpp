@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 
+#include "runner/store/history_columns.hpp"
 #include "runner/store/schema.hpp"
 #include "solver/run_directory/durable_file.hpp"
 
@@ -153,14 +154,13 @@ void Database::bring_to_present_format() {
   if (found > steps.size())
     throw DatabaseError("the database has format " + std::to_string(found) + ", this program reads format " +
                         std::to_string(steps.size()));
-  if (found == steps.size()) return;
-  if (found == 0) {
-    execute_script(kQueueTables);
-  } else {
+  if (found == 0) execute_script(kQueueTables);
+  if (found > 0 && found < steps.size()) {
     for (const char* step : steps.subspan(found)) execute_script(step);
     execute_script(kRecount);
   }
-  execute_script(("PRAGMA user_version = " + std::to_string(steps.size())).c_str());
+  if (found < steps.size()) execute_script(("PRAGMA user_version = " + std::to_string(steps.size())).c_str());
+  add_history_columns(*this);
   transaction.commit();
 }
 

@@ -6,6 +6,7 @@
 #include "runner/web/embedded_documents.hpp"
 #include "runner/web/handlers.hpp"
 #include "runner/web/http_metrics.hpp"
+#include "runner/web/openapi_text.hpp"
 #include "runner/web/startup_response.hpp"
 
 namespace capstan {
@@ -49,7 +50,7 @@ Response get_metrics(Service& service, const httplib::Request&, const std::strin
 }
 
 Response get_openapi(Service&, const httplib::Request&, const std::string&) {
-  return {200, "application/yaml", kOpenApi, {}};
+  return {200, "application/yaml", openapi_text(), {}};
 }
 
 Response get_study_schema(Service&, const httplib::Request&, const std::string&) {

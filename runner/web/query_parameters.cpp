@@ -9,7 +9,7 @@
 #include "runner/queue/case_state.hpp"
 #include "runner/study/axis.hpp"
 #include "runner/web/listed.hpp"
-#include "solver/run_directory/motion.hpp"
+#include "solver/run_directory/result_words.hpp"
 
 namespace capstan {
 namespace {

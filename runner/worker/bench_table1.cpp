@@ -95,7 +95,7 @@ void add_spheres(const StandardMethod& paper, BenchReport& report) {
                       {"seconds", std::round(100 * run.cpu_seconds) / 100},
                       {"standard, s", to_whole(standard)},
                       {"speed-up", to_whole(standard / run.cpu_seconds)},
-                      {"D_xy", std::round(1e4 * run.history.back().D_xy) / 1e4}});
+                      {"D_xy", std::round(1e4 * run.history.back()["D_xy"]) / 1e4}});
     }
   report.add("Fig. 18: sphere, Ca = 0.05, to kt = 2, by shear rate and step", rows);
 }

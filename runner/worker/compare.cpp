@@ -62,9 +62,9 @@ void print_row(const char* fluid, const LatticeSize* lattice, const Run& run, co
     std::printf(" %4g | %4g |", lattice->dx, lattice->box);
   else
     std::printf("      |      |");
-  std::printf(" %.4f | %+6.2f %% | %+7.4f | %+7.4f | %7.1f |\n", run.last.D_xy,
-              100 * (run.last.D_xy / stokes.D_xy - 1), run.last.theta / std::numbers::pi,
-              (run.last.theta - stokes.theta) / std::numbers::pi, run.seconds);
+  std::printf(" %.4f | %+6.2f %% | %+7.4f | %+7.4f | %7.1f |\n", run.last["D_xy"],
+              100 * (run.last["D_xy"] / stokes["D_xy"] - 1), run.last["theta"] / std::numbers::pi,
+              (run.last["theta"] - stokes["theta"]) / std::numbers::pi, run.seconds);
   std::fflush(stdout);
 }
 
@@ -84,8 +84,8 @@ nlohmann::ordered_json row_of(const char* fluid, const LatticeSize* lattice, con
   nlohmann::ordered_json row = {{"fluid", fluid}};
   if (lattice) row["dx"] = lattice->dx;
   if (lattice) row["box"] = std::isfinite(lattice->box) ? nlohmann::ordered_json(lattice->box) : nullptr;
-  row["D_xy"] = run.last.D_xy;
-  row["theta"] = run.last.theta;
+  row["D_xy"] = run.last["D_xy"];
+  row["theta"] = run.last["theta"];
   row["seconds"] = run.seconds;
   return row;
 }
@@ -115,10 +115,10 @@ nlohmann::ordered_json compare(const std::filesystem::path& file, const Case& c,
     const auto lattice_run = run_to_end(on_lattice(c, kLattices[i]));
     if (!lattice_run) return found;
     add("quasisteady", &kLattices[i], *lattice_run);
-    D_xy[i] = lattice_run->last.D_xy, theta[i] = lattice_run->last.theta;
+    D_xy[i] = lattice_run->last["D_xy"], theta[i] = lattice_run->last["theta"];
   }
   Run limit;
-  limit.last.D_xy = extrapolated(D_xy), limit.last.theta = extrapolated(theta);
+  limit.last["D_xy"] = extrapolated(D_xy), limit.last["theta"] = extrapolated(theta);
   const LatticeSize limit_size{0, INFINITY};
   add("limit", &limit_size, limit);
   found["order_in_dx"] = order_in_dx(D_xy);

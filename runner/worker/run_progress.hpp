@@ -2,7 +2,7 @@
 // The progress of a run on standard error.
 #include <chrono>
 
-#include "solver/observe/history.hpp"
+#include "solver/observe/observables.hpp"
 
 namespace capstan {
 

@@ -4,51 +4,52 @@
 #include <cmath>
 
 #include "solver/observe/explain.hpp"
-#include "solver/observe/findings.hpp"
+#include "solver/observe/motion_features.hpp"
 #include "solver/observe/shape_vector.hpp"
 
 namespace capstan {
 namespace {
 
-Motion motion_of(const Findings& found) {
-  const Motion turning = found.r >= kOfShape ? Motion::tumbling : Motion::tank_treading;
-  if (found.steady || found.settled) return turning;
-  if (found.half_turns.empty()) return Motion::undecided;
-  if (found.turned_both() || found.shares.are_of_both_kinds() || found.came_near_round())
+Motion motion_of(const MotionFeatures& features) {
+  const Motion turning = features.r >= kOfShape ? Motion::tumbling : Motion::tank_treading;
+  if (features.steady || features.settled) return turning;
+  if (features.half_turns.empty()) return Motion::undecided;
+  if (features.turned_both() || features.shares.are_of_both_kinds() || features.came_near_round())
     return Motion::transition;
   return turning;
 }
 
-// ------------------------------------------------------------------------------------------ doubt
+double clamped_to_unit(double number) { return std::clamp(number, 0.0, 1.0); }
 
-double from_0_to_1(double number) { return std::clamp(number, 0.0, 1.0); }
-
-/// Distance of r to the nearer threshold.
+/// Distance of r to the nearer threshold, in units of 1 - kOfShape, at most 1.
 double distance_of_r(double r) {
-  return from_0_to_1(std::min(std::abs(r - kOfMembrane), std::abs(r - kOfShape)) / (1 - kOfShape));
+  return clamped_to_unit(std::min(std::abs(r - kOfMembrane), std::abs(r - kOfShape)) / (1 - kOfShape));
 }
 
+/// Smaller distance of the shares to their thresholds where half-turns of both kinds occurred, in the same
+/// units.
 double distance_of_kinds(const Shares& shares) {
-  return from_0_to_1(std::min(shares.largest - kOfShape, kOfMembrane - shares.smallest) / (1 - kOfShape));
+  return clamped_to_unit(std::min(shares.largest - kOfShape, kOfMembrane - shares.smallest) / (1 - kOfShape));
 }
 
-double margin_of_transition(const Findings& found) {
-  const double mixed = found.turned_both() ? distance_of_r(found.r) : 0;
-  const double near_round = from_0_to_1(1 - found.clearance());
-  const double seen = double(found.half_turns.size()) / kSettled;
-  const double missing = 1 - double(found.of_last_kind) / kSettled;
-  return std::min({std::max({mixed, distance_of_kinds(found.shares), near_round}), seen, missing});
+double margin_of_transition(const MotionFeatures& features) {
+  const double mixed = features.turned_both() ? distance_of_r(features.r) : 0;
+  const double near_round = clamped_to_unit(1 - features.clearance());
+  const double seen = double(features.half_turns.size()) / kSettled;
+  const double missing = 1 - double(features.of_last_kind) / kSettled;
+  return std::min({std::max({mixed, distance_of_kinds(features.shares), near_round}), seen, missing});
 }
 
-double margin_of(Motion motion, const Findings& found) {
+double margin_of(Motion motion, const MotionFeatures& features) {
   if (motion == Motion::undecided) return 0;
-  if (motion == Motion::transition) return margin_of_transition(found);
-  const double threshold = found.steady || found.settled ? 0 : 1;
-  return std::min(distance_of_r(found.r), from_0_to_1(found.clearance() - threshold));
+  if (motion == Motion::transition) return margin_of_transition(features);
+  const double threshold = features.steady || features.settled ? 0 : 1;
+  return std::min(distance_of_r(features.r), clamped_to_unit(features.clearance() - threshold));
 }
 
-/// Whether Q keeps its distance from 0 for ever, as far as the last two half-turns tell: an approach to 0 is
-/// slow, of 0.03 a half-turn in an oblate capsule of V = 15 that tumbles seven times and then tank-treads.
+/// Whether Q stays away from 0 in the next half-turns, extrapolated linearly from the last two. An approach
+/// to 0 is slow: 0.03 a half-turn for an oblate capsule at V = 15 that tumbles seven times and then
+/// tank-treads. \param half_turns at least two, the last one first
 bool keeps_clear(const std::vector<Samples>& half_turns, double required) {
   constexpr double kAhead = 8;  // half-turns
   const double last = smallest_distance_to_origin(half_turns[0]);
@@ -56,51 +57,53 @@ bool keeps_clear(const std::vector<Samples>& half_turns, double required) {
   return last - kAhead * std::max(0., before - last) >= required;
 }
 
-/// After one half-turn Q must be far from 0, and the half-turn wholly of one kind: otherwise shape and
-/// membrane shift against each other. After two they tell, as seen now and as seen half of a half-turn ago:
-/// an approach to 0 may lie where two half-turns meet.
-bool will_keep_clear(const Findings& found) {
-  constexpr double kFar = 4, kWholly = 0.9;
-  if (found.half_turns.size() < 2) return found.clearance() >= kFar && distance_of_r(found.r) >= kWholly;
-  const size_t since = last_turns(found.run, 0.5).value_or(found.run).size() - 1;
-  const auto earlier = half_turns_from_end(found.run.first(found.run.size() - since));
-  return keeps_clear(found.half_turns, found.required) &&
-         (earlier.size() < 2 || keeps_clear(earlier, found.required));
+/// After a single half-turn: Q is far from 0 and the half-turn clearly of one kind. After two or more: Q
+/// stays away from 0 as extrapolated from the end of the run and from half a half-turn earlier, because Q may
+/// come closest to 0 where two half-turns meet.
+bool will_keep_clear(const MotionFeatures& features) {
+  constexpr double kFar = 4, kClearlyOneKind = 0.9;
+  if (features.half_turns.size() < 2)
+    return features.clearance() >= kFar && distance_of_r(features.r) >= kClearlyOneKind;
+  const size_t since = last_turns(features.run, 0.5).value_or(features.run).size() - 1;
+  const auto earlier = half_turns_from_end(features.run.first(features.run.size() - since));
+  return keeps_clear(features.half_turns, features.required) &&
+         (earlier.size() < 2 || keeps_clear(earlier, features.required));
 }
 
-bool is_certain(Motion motion, const Findings& found) {
+bool is_certain(Motion motion, const MotionFeatures& features) {
   constexpr double kClearOfR = 0.5;
-  if (found.steady) return true;
+  if (features.steady) return true;
   if (motion != Motion::tumbling && motion != Motion::tank_treading) return false;
-  return distance_of_r(found.r) >= kClearOfR && found.clearance() >= 1 && will_keep_clear(found);
+  return distance_of_r(features.r) >= kClearOfR && features.clearance() >= 1 && will_keep_clear(features);
 }
 
-Evidence evidence_of(Motion motion, const Findings& found) {
+Evidence evidence_of(Motion motion, const MotionFeatures& features) {
   Evidence evidence;
-  evidence.n_theta = shape_turns(found.run);
-  evidence.n_psi = membrane_turns(found.run);
-  evidence.turns = turns(found.run);
-  evidence.r = found.r;
-  evidence.D_min = found.D_min;
-  evidence.theta_range = theta_range(found.half_turns.empty() ? found.run : found.half_turns.front());
-  evidence.margin = margin_of(motion, found);
+  evidence.n_theta = shape_turns(features.run);
+  evidence.n_psi = membrane_turns(features.run);
+  evidence.turns = turns(features.run);
+  evidence.r = features.r;
+  evidence.D_min = features.D_min;
+  evidence.theta_range =
+      theta_range(features.half_turns.empty() ? features.run : features.half_turns.front());
+  evidence.margin = margin_of(motion, features);
   return evidence;
 }
 
 }  // namespace
 
 Verdict classify(Samples samples) {
-  const std::optional<Findings> found = look_at(samples);
+  const std::optional<MotionFeatures> features = motion_features(samples);
   Verdict verdict;
-  if (!found) {
-    verdict.explanation = explanation_of_none(samples);
+  if (!features) {
+    verdict.explanation = explanation_without_features(samples);
     return verdict;
   }
-  verdict.motion = motion_of(*found);
-  verdict.evidence = evidence_of(verdict.motion, *found);
-  verdict.certain = is_certain(verdict.motion, *found);
-  verdict.steady = found->steady;
-  verdict.explanation = explanation(verdict.motion, *found);
+  verdict.motion = motion_of(*features);
+  verdict.evidence = evidence_of(verdict.motion, *features);
+  verdict.certain = is_certain(verdict.motion, *features);
+  verdict.steady = features->steady;
+  verdict.explanation = explanation(verdict.motion, *features);
   return verdict;
 }
 

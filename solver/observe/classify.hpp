@@ -1,58 +1,60 @@
 #pragma once
-// What a run was: tumbling, tank-treading, or between the two.
+// The motion of a run: tumbling, tank-treading, or a transition between the two. Valid for motion in the
+// plane of shear.
 //
-// Let Q = D (cos 2 theta, sin 2 theta), the in-plane shape vector. A capsule tumbles when Q winds around 0;
-// it tank-treads when Q does not, while the membrane turns. On the boundary the curve passes through 0: the
-// section is round for a moment, and theta alone may take either branch. The label therefore weighs the
-// turning of the shape against that of the membrane and asks how near Q came to 0. It is a label for motion
-// in the plane of shear.
+// Let Q = D_xy (cos 2 theta, sin 2 theta), the in-plane shape vector. A capsule tumbles when Q winds around
+// 0. It tank-treads when Q does not and the membrane turns. At the boundary between the two, Q passes through
+// 0: the section is circular for a moment and theta may continue on either branch. The label is therefore not
+// decided by theta alone. It compares the rotation of the shape with that of the membrane, and tests how near
+// Q came to 0.
 //
-// Shape and membrane together turn by pi in one half-turn. The share of the shape in it is near 1 where the
-// capsule tumbles and near 0 where it tank-treads: these are the two kinds of half-turns. The rules, in their
-// order:
+// In one half-turn the angles of shape and membrane together change by pi. The share of the shape in that
+// change is near 1 where the capsule tumbles and near 0 where it tank-treads: these are the two kinds of
+// half-turns. The first rule that applies decides:
 //   1. The shape is steady while the membrane turns: tank-treading.
-//   2. The last three half-turns are of one kind: the motion has settled, the label is that kind. Neither how
-//      near Q came to 0 nor an earlier motion counts.
-//   3. Less than one half-turn was seen: undecided.
-//   4. Half-turns were of both kinds, or the share r of the shape in all of them lies between those of the
-//   two
-//      kinds, or Q came nearer to 0 than min(0.06, D_max / 2), D_max the largest D: transition.
-//   5. Otherwise the kind that r says.
+//   2. The last three half-turns are of one kind: the motion has settled and has that kind. Earlier motion
+//      and the distance of Q to 0 do not count.
+//   3. Less than one half-turn was computed: undecided.
+//   4. Half-turns of both kinds occurred; or the share r of the shape in all of them lies between the
+//      thresholds of the two kinds; or Q came nearer to 0 than min(0.06, D_max / 2), D_max the largest D_xy:
+//      transition.
+//   5. Otherwise the kind that r belongs to.
 #include <string>
 
+#include "solver/observe/motion.hpp"
 #include "solver/observe/motion_sample.hpp"
-#include "solver/run_directory/motion.hpp"
 
 namespace capstan {
 
-/// Counted from kt = 3 on, when the start is forgotten. Half-turns are clockwise, as the shear turns. r,
-/// D_min and margin are of the part that was judged: under rule 1 the last half of a half-turn, under rule 2
-/// the last three half-turns, else everything.
+/// Counted from kt = 3 on: earlier motion depends on the start. Half-turns are positive clockwise, as the
+/// shear flow turns. r, D_min and margin refer to the part that was judged: the last half of a half-turn
+/// under rule 1, the last three half-turns under rule 2, otherwise the whole run.
 struct Evidence {
   double n_theta = 0;      ///< half-turns of the shape: -(change of theta) / pi
   double n_psi = 0;        ///< half-turns of the membrane against the shape: -(change of psi) / pi
   double turns = 0;        ///< n_theta + n_psi
   double r = 0;            ///< share of the shape: 1 for a rigid body, 0 for pure tank-treading
-  double D_min = 0;        ///< smallest distance of the segments between successive Q to 0
-  double theta_range = 0;  ///< largest minus smallest theta over the last half-turn
+  double D_min = 0;        ///< smallest distance to 0 of the segments between successive Q
+  double theta_range = 0;  ///< largest minus smallest theta over the last half-turn, radians
 
-  /// How far the evidence is from that for another label: from 0, doubtful, to 1, clear. Distances of r are
-  /// measured in 0.25, those of D_min in the distance that rule 4 asks for. Tumbling and tank-treading: the
-  /// smaller of the distances of r and of D_min to their thresholds; that of D_min is 0 once the motion has
-  /// settled. Transition: the largest distance among its reasons, but no more than the share of three
-  /// half-turns that was seen, nor than the share that is missing for rule 2. Undecided: 0.
+  /// Distance of the evidence to that for another label: 0 (doubtful) to 1 (clear). Distances of r are in
+  /// units of 0.25, distances of D_min in units of the one that rule 4 requires. For tumbling and
+  /// tank-treading: the smaller distance of r and D_min to their thresholds; once the motion has settled,
+  /// the threshold of D_min is 0. For a transition: the largest distance among its reasons, but at most a
+  /// third of the number of half-turns, and of the number of half-turns that rule 2 still lacks. For
+  /// undecided: 0.
   double margin = 0;
 };
 
 struct Verdict {
   Motion motion = Motion::undecided;
   Evidence evidence;
-  bool certain = false;     ///< more time would not change the label: a run may end here
+  bool certain = false;     ///< more time would not change the label: the run may end
   bool steady = false;      ///< rule 1
-  std::string explanation;  ///< a sentence: why this label, or what is missing for one
+  std::string explanation;  ///< a sentence: why the run has this label, or what it lacks for one
 };
 
-/// \param samples in the order of time, close enough for Q to move little from one to the next
+/// \param samples in the order of time, so close that Q moves little from one to the next
 Verdict classify(Samples samples);
 
 }  // namespace capstan

@@ -7,8 +7,10 @@
 
 namespace capstan {
 
-// An axis of half length h has the second moment V h^2 / 5. The flow keeps one axis along z, so the others
-// are those of the x-y block  mean * 1 + difference * [cos 2 theta, sin 2 theta; sin 2 theta, -cos 2 theta].
+// Along an axis of half length h an ellipsoid of volume V has the second moment V h^2 / 5. One axis stays
+// along z, so the squares of the other two are the eigenvalues of the x-y block of M = 5/V second moments,
+// which has the form
+//   mean * 1 + difference * [cos 2 theta, sin 2 theta; sin 2 theta, -cos 2 theta].
 InertiaEllipse inertia_ellipse(const Points& positions, const Faces& faces) {
   const Eigen::Matrix3d M = second_moments(positions, faces) * 5 / volume(positions, faces);
   const double mean = (M(0, 0) + M(1, 1)) / 2;

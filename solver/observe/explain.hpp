@@ -1,15 +1,16 @@
 #pragma once
-// Why a run has its label, in a sentence or two.
+// The sentences of result.json that explain a label.
 #include <string>
 
 #include "solver/observe/classify.hpp"
-#include "solver/observe/findings.hpp"
+#include "solver/observe/motion_features.hpp"
 
 namespace capstan {
 
-std::string explanation(Motion motion, const Findings& found);
+/// Why the run has this motion, or what it lacks for one.
+std::string explanation(Motion motion, const MotionFeatures& features);
 
-/// For samples of which look_at() finds nothing.
-std::string explanation_of_none(Samples samples);
+/// The same for samples that have no features: the run was too short, or its positions are not finite.
+std::string explanation_without_features(Samples samples);
 
 }  // namespace capstan

@@ -1,7 +1,7 @@
 #pragma once
-// How shape and membrane turn. Together they turn by pi in one half-turn; the share of the shape in it is
-// near 1 where the capsule tumbles and near 0 where it tank-treads. Turning is counted clockwise, as the
-// shear turns. Samples are never empty here.
+// Half-turns of a capsule: in one of them the angles of shape and membrane together change by pi. The share
+// of the shape in that change is near 1 where the capsule tumbles and near 0 where it tank-treads. Turns are
+// positive clockwise, as the shear flow turns. All functions require at least one sample.
 #include <optional>
 #include <vector>
 
@@ -9,32 +9,31 @@
 
 namespace capstan {
 
-/// Shares of the shape in a half-turn, at most and at least, that make it one of the membrane or of the
-/// shape. Between them a half-turn is of no kind.
+/// A half-turn is of the membrane if the share of the shape in it is at most kOfMembrane, and of the shape if
+/// it is at least kOfShape. Between the two it is of neither kind.
 constexpr double kOfMembrane = 0.25, kOfShape = 0.75;
 
 double shape_turns(Samples samples);     ///< -(change of theta) / pi
 double membrane_turns(Samples samples);  ///< -(change of psi) / pi
-double turns(Samples samples);           ///< of both together
-double share_of_shape(Samples samples);  ///< 0 where nothing turned
-double theta_range(Samples samples);     ///< largest minus smallest theta
+double turns(Samples samples);           ///< shape_turns + membrane_turns
+double share_of_shape(Samples samples);  ///< shape_turns / turns; 0 where turns <= 0
+double theta_range(Samples samples);     ///< largest minus smallest theta, radians
 
-/// The shortest part at the end in which shape and membrane make so many half-turns; nothing if they made
-/// fewer.
+/// The shortest part at the end that has this number of half-turns; nothing if the samples have fewer.
 std::optional<Samples> last_turns(Samples samples, double half_turns);
 
-/// The last half-turn first. The rest at the start, less than a half-turn, is left out.
+/// The run cut into half-turns from its end, the last one first. Less than a half-turn is left over at the
+/// start.
 std::vector<Samples> half_turns_from_end(Samples samples);
 
-/// How many of the last half-turns are of the same kind as the last one; 0 if that is of none.
-/// \param half_turns the last one first
+/// Number of half-turns at the end that are of the same kind as the last one; 0 if the last one is of neither
+/// kind. \param half_turns the last one first
 int half_turns_of_last_kind(const std::vector<Samples>& half_turns);
 
-/// Smallest and largest share of the shape in a half-turn, wherever it begins.
+/// Smallest and largest share of the shape in one half-turn, over all half-turns that end at a sample.
 struct Shares {
   double smallest = 1, largest = 0;
 
-  /// Some half-turns were of the shape and others of the membrane.
   bool are_of_both_kinds() const { return smallest <= kOfMembrane && largest >= kOfShape; }
 };
 Shares shares_of_half_turns(Samples samples);

@@ -1,5 +1,6 @@
 #pragma once
-// The motion as the steps of a run saw it, to classify it by: whatever is recorded, its samples are the same.
+// The motion at a step of the run. A run is classified by these samples, which do not depend on what it
+// records.
 #include <span>
 #include <vector>
 
@@ -7,15 +8,15 @@ namespace capstan {
 
 struct MotionSample {
   double kt = 0;
-  double D_xy = 0;
-  double theta = 0;  ///< radians, unwrapped, as in Record
-  double psi = 0;    ///< radians, unwrapped, as in Record
+  double D_xy = 0;   ///< Taylor deformation (L - l)/(L + l) in the plane of shear, paper eq. 5
+  double theta = 0;  ///< angle of the major axis with x, radians, unwrapped
+  double psi = 0;  ///< mean angle of the membrane against the major axis, radians, unwrapped, 0 at the start
   bool operator==(const MotionSample&) const = default;
 };
 using MotionSamples = std::vector<MotionSample>;
-using Samples = std::span<const MotionSample>;  ///< a part of them, in the order of time
+using Samples = std::span<const MotionSample>;  ///< consecutive samples, in the order of time
 
-/// Steps that are shorter than this (k dt) are passed over until as much time has gone by.
+/// Shear time kt between two samples, at least.
 inline constexpr double kSampleInterval = 0.02;
 
 }  // namespace capstan

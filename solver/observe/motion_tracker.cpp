@@ -4,7 +4,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "solver/mesh/geometry.hpp"
 #include "solver/observe/deformation.hpp"
 #include "solver/state/state_archive.hpp"
 
@@ -13,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kRound = 1e-9;  ///< below this D_xy the direction of the major axis is rounding noise
+constexpr double kRound = 1e-9;  // below this D_xy the direction of the major axis is rounding noise
 
 /// The angle equal to `principal` up to multiples of `period` that is nearest to `previous`.
 double unwrapped(double principal, double previous, double period) {
@@ -24,7 +23,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Angle of a point against the major axis after the ellipse is scaled to a circle.
+/// Angle of a point against the major axis after the ellipse is scaled to a circle, radians in [-pi, pi].
 double angle_on_ellipse(const Vec3& point, const InertiaEllipse& ellipse, double theta) {
   const Vec3 r = point - ellipse.centre;
   const double along = std::cos(theta) * r.x() + std::sin(theta) * r.y();
@@ -33,8 +32,8 @@ double angle_on_ellipse(const Vec3& point, const InertiaEllipse& ellipse, double
 }
 
 std::vector<int> points_near_shear_plane(const Points& positions) {
-  constexpr double kNear =
-      0.1;  // less than an edge at 642 vertices; every icosphere has vertices in the plane itself
+  // Less than the length of an edge at 642 vertices. Every icosphere has vertices in the plane itself.
+  constexpr double kNear = 0.1;
   std::vector<int> points;
   for (int vertex = 0; vertex < positions.cols(); ++vertex)
     if (std::abs(positions(2, vertex)) < kNear) points.push_back(vertex);
@@ -52,20 +51,13 @@ MotionTracker::MotionTracker(const Points& initial, const Faces& faces)
   initial_mean_angle_ = mean(angles_);
 }
 
-Record MotionTracker::observe(double kt, const Points& positions) {
+MotionSample MotionTracker::observe(double kt, const Points& positions) {
   const InertiaEllipse ellipse = inertia_ellipse(positions, faces_);
   const auto [D_xy, theta] = deformation(ellipse);
   if (!(D_xy < kRound)) theta_ = unwrapped(theta, theta_, pi);
   for (size_t i = 0; i < equator_.size(); ++i)
     angles_[i] = unwrapped(angle_on_ellipse(positions.col(equator_[i]), ellipse, theta_), angles_[i], 2 * pi);
-  Record record;
-  record.kt = kt;
-  record.D_xy = D_xy;
-  record.theta = theta_;
-  record.psi = mean(angles_) - initial_mean_angle_;
-  record.volume = volume(positions, faces_);
-  record.area = area(positions, faces_);
-  return record;
+  return {.kt = kt, .D_xy = D_xy, .theta = theta_, .psi = mean(angles_) - initial_mean_angle_};
 }
 
 void MotionTracker::save(StateArchive& archive) const {

@@ -1,11 +1,11 @@
 #pragma once
-// Whether the mesh could represent the surface throughout a run. It cannot once neighbouring triangles lie on
-// each other; they rarely part again, and the motion is that of the mesh then. Wrinkles that come and go with
-// every half-turn, and sharp tips, leave the motion as it is.
+// Whether the mesh resolves the surface throughout a run. It does not once neighbouring triangles lie on each
+// other: they rarely separate again, and the motion is then an artefact of the mesh. Wrinkles that form and
+// vanish in every half-turn, and sharp tips, do not change the motion.
 //
-// Measured on 140 runs with 162 to 2562 vertices: red cells (fig. 17) reach 67 degrees for a moment,
-// wrinkling spheroids 88 to 119 degrees with the labels of finer meshes; surfaces that crumple reach 139 to
-// 180 degrees.
+// Measured on 140 runs with 162 to 2562 vertices: red cells (fig. 17) reach dihedral angles of 67 degrees for
+// a moment; wrinkling spheroids reach 88 to 119 degrees and have the same labels as on finer meshes; surfaces
+// that crumple reach 139 to 180 degrees.
 #include <optional>
 #include <string>
 
@@ -15,41 +15,42 @@
 
 namespace capstan {
 
-/// Degrees between the normals of neighbouring triangles; at 180 one lies on the other.
+/// Degrees between the normals of neighbouring triangles beyond which they lie on each other (180: exactly).
 inline constexpr double kLyingOnEachOther = 135;
 
 class SurfaceWatch {
  public:
-  /// Whether enough time has gone by for another look: a look at every short step would cost 4 % of a run.
-  bool is_due(double kt) const { return kt >= next_look_; }
-  void look(double kt, const SurfaceQuality& seen);
+  /// Whether the surface should be examined at kt: every 0.2, because at every short step it would take 4 %
+  /// of a run.
+  bool is_due(double kt) const { return kt >= next_kt_; }
+  void add(double kt, const SurfaceQuality& quality);
 
+  /// The worst of each number, over all times added.
   const SurfaceQuality& worst() const { return worst_; }
 
-  /// When an edge was folded (kFoldedEdge) for the first time.
+  /// The first kt at which an edge was folded (kFoldedEdge).
   std::optional<double> folded_from() const { return folded_from_; }
 
-  /// When the mesh could not represent the surface for the first time.
+  /// The first kt at which the mesh did not resolve the surface.
   std::optional<double> lost_from() const { return lost_from_; }
 
-  /// How far the surface kept from being lost: 1 where no edge was folded, 0 where triangles lay on each
-  /// other.
+  /// 1 where no edge was folded, 0 where triangles lay on each other, linear in the worst angle between.
   double clearance() const;
 
-  /// "neighbouring triangles meet at angles of up to ...": how much is folded, for a sentence.
-  std::string in_words() const;
+  /// "neighbouring triangles meet at angles of up to ..": the worst quality, as part of a sentence.
+  std::string description() const;
 
   void save(StateArchive& archive) const;
   void load(const StateArchive& archive);
 
  private:
   SurfaceQuality worst_;
-  double next_look_ = 0;  ///< kt
+  double next_kt_ = 0;
   std::optional<double> folded_from_, lost_from_;
 };
 
-/// The verdict with what the surface says of it: folded edges lower its margin, and a lost surface takes its
-/// label.
-Verdict judged_on(const SurfaceWatch& surface, const Verdict& verdict);
+/// The verdict with the margin lowered in proportion to the clearance of the surface; without a label if the
+/// mesh did not resolve the surface.
+Verdict limited_by_surface(const Verdict& verdict, const SurfaceWatch& surface);
 
 }  // namespace capstan

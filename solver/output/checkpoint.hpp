@@ -1,6 +1,6 @@
 #pragma once
-// The state of a run on disk: two files in turn, so that whatever happens to the one that is being written,
-// and to the newest one afterwards, there is another to resume from.
+// Checkpoints of a run: two files, written in turn. If one is damaged while it is written or later, the run
+// resumes from the other.
 #include <filesystem>
 #include <functional>
 #include <optional>

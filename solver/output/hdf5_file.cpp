@@ -5,7 +5,7 @@
 namespace capstan {
 namespace {
 
-/// The innermost entry of HDF5's error stack: the system's reason, where there is one.
+/// The innermost entry of HDF5's error stack: the message of the operating system, if there is one.
 std::string hdf5_reason() {
   std::string reason;
   const auto keep_first = [](unsigned, const H5E_error2_t* entry, void* text) -> herr_t {
@@ -17,20 +17,21 @@ std::string hdf5_reason() {
   return reason.empty() ? "unknown reason" : reason;
 }
 
-/// To be called before any handle is closed: every call into HDF5 clears the error stack.
+/// Call before any handle is closed: every call into HDF5 clears the error stack.
 [[noreturn]] void fail(const std::string& operation, const std::filesystem::path& path) {
   throw std::runtime_error(operation + " " + path.string() + ": " + hdf5_reason());
 }
 
-/// Errors are thrown, not printed. And no clean-up at exit: a full disk leaves HDF5 1.10 a file that it can
-/// neither write nor forget, and its clean-up then crashes. Every file is closed here, so there is nothing
-/// else to clean.
+/// Switches off the printing of errors, which are thrown instead, and HDF5's clean-up at exit: on a full disk
+/// HDF5 1.10 keeps a file that it can neither write nor close, and its clean-up crashes. All files are closed
+/// by this class, so nothing else needs cleaning up.
 void prepare_library() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// No locks: readers never see a file in the making, and some cluster file systems refuse locks.
+/// Without file locks, which some cluster file systems refuse. Readers see complete files only, so none are
+/// needed.
 hid_t access_without_locks() {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_file_locking(access, false, true);
@@ -55,7 +56,7 @@ hid_t open_file(const std::filesystem::path& path) {
   return file;
 }
 
-/// Rows of `columns` numbers; one column makes a vector.
+/// A data space with rows of `columns` numbers; of one dimension for a single column.
 hid_t create_space(hsize_t count, hsize_t columns) {
   const hsize_t shape[] = {count / columns, columns};
   return H5Screate_simple(columns == 1 ? 1 : 2, shape, nullptr);
@@ -85,12 +86,12 @@ void Hdf5Writer::write(const std::string& name, hid_t type, const void* values, 
   const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links.id(), 1);
   const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_obj_track_times(creation.id(), false);  // equal numbers, equal bytes, whenever they were written
+  H5Pset_obj_track_times(creation.id(), false);  // no time stamps: equal numbers give equal files
   Hdf5Handle dataset(
       H5Dcreate2(file_.id(), name.c_str(), type, space.id(), links.id(), creation.id(), H5P_DEFAULT),
       H5Dclose);
   if (!dataset.valid() || H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0 ||
-      !dataset.close())  // which writes what HDF5 still had in memory
+      !dataset.close())  // writes what HDF5 still has in memory
     fail("cannot write \"" + name + "\" to", path_);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// HDF5 as far as Capstan needs it: whole arrays by name, written once or read back. Every failure is a
-// std::runtime_error that names the operation, the file and HDF5's own reason.
+// HDF5 files of named arrays, each written once and read as a whole. A failure is a std::runtime_error that
+// names the operation, the file and the reason that HDF5 gives.
 //
 // Limitations: one thread at a time (Debian's serial HDF5); contiguous arrays of double or int in native byte
 // order.
@@ -14,7 +14,7 @@
 
 namespace capstan {
 
-/// Owns one HDF5 identifier of whatever kind.
+/// Owns an HDF5 identifier: a file, a data set, a property list ..
 class Hdf5Handle {
  public:
   using Closer = herr_t (*)(hid_t);
@@ -29,7 +29,7 @@ class Hdf5Handle {
   bool valid() const { return id_ >= 0; }
   hid_t id() const { return id_; }
 
-  /// Closes now, to learn whether that works.
+  /// Closes now. False if that fails; the destructor could not report it.
   bool close() { return closer_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
 
  private:
@@ -39,15 +39,15 @@ class Hdf5Handle {
 
 class Hdf5Writer {
  public:
-  /// An empty file in the place of whatever was there. Its first `user_block` bytes (0, 512, 1024, ...) stay
-  /// free for the caller.
+  /// Creates an empty file, or replaces the one there. Its first `user_block` bytes (0, 512, 1024, ..) are
+  /// left to the caller.
   explicit Hdf5Writer(const std::filesystem::path& path, hsize_t user_block = 0);
 
-  /// An array of rows of `columns` numbers. A '/' in the name makes groups.
+  /// Writes an array with rows of `columns` numbers. A '/' in the name creates groups.
   void write(const std::string& name, std::span<const double> values, hsize_t columns = 1);
   void write(const std::string& name, std::span<const int> values, hsize_t columns = 1);
 
-  /// Hands everything to the operating system. A file that was not closed this way is not to be trusted.
+  /// Passes all data to the operating system. A file that was not closed this way may be incomplete.
   void close();
 
  private:
@@ -64,6 +64,7 @@ class Hdf5Reader {
   /// All arrays of the file, in alphabetical order.
   std::vector<std::string> names() const;
 
+  /// The numbers of an array, row by row.
   std::vector<double> read(const std::string& name) const;
 
  private:

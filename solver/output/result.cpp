@@ -6,6 +6,8 @@
 
 #include "solver/case/content_id.hpp"
 #include "solver/output/run_warnings.hpp"
+#include "solver/run_directory/history_line.hpp"
+#include "solver/simulation/plan.hpp"
 
 namespace capstan {
 namespace {
@@ -22,7 +24,7 @@ nlohmann::ordered_json to_json(const Evidence& e) {
           {"margin", e.margin}};
 }
 
-/// Degrees, and kt: schema/run_directory.md.
+/// Angles in degrees, times as kt (schema/run_directory.md).
 nlohmann::ordered_json to_json(const SurfaceWatch& surface) {
   const SurfaceQuality& worst = surface.worst();
   const auto or_null = [](std::optional<double> kt) { return kt ? nlohmann::ordered_json(*kt) : nullptr; };
@@ -33,7 +35,7 @@ nlohmann::ordered_json to_json(const SurfaceWatch& surface) {
           {"lost_from", or_null(surface.lost_from())}};
 }
 
-/// A run that failed on the way has no motion, whatever it did before.
+/// A run that failed before its end has no motion.
 Verdict verdict_of(const Simulation& simulation, const Outcome& outcome) {
   Verdict verdict = simulation.verdict();
   if (has_answer(outcome.stop)) return verdict;

@@ -1,5 +1,5 @@
 #pragma once
-// The answer of a run: result.json (schema/run_directory.md).
+// The result of a run: result.json (schema/run_directory.md).
 #include <nlohmann/json.hpp>
 
 #include "solver/case/case.hpp"
@@ -8,8 +8,8 @@
 
 namespace capstan {
 
-/// The case with what was chosen for it; class, evidence, final state, cost and trust record.
-/// \param seconds wall time of the run, over all processes that worked on it
+/// Case and chosen settings; motion and evidence; last record; cost; measures of accuracy.
+/// \param seconds wall time of the run, summed over all its processes
 nlohmann::ordered_json result_json(const Case& c, const Choices& choices, const Simulation& simulation,
                                    const Outcome& outcome, double seconds);
 

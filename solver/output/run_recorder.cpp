@@ -8,6 +8,7 @@
 #include "solver/output/checkpoint.hpp"
 #include "solver/output/result.hpp"
 #include "solver/run_directory/durable_file.hpp"
+#include "solver/run_directory/history_line.hpp"
 
 namespace capstan {
 
@@ -36,7 +37,7 @@ void RunRecorder::resume(Simulation& simulation, const std::function<void(const 
   start_history(simulation.history());
 }
 
-/// What the checkpoint knows of the history replaces what a killed process left behind.
+/// The history of the checkpoint replaces the file, which may have later records of a killed process.
 void RunRecorder::start_history(const History& history) {
   std::string lines;
   for (const Record& past : history) lines += to_json_line(past) + '\n';

@@ -15,19 +15,20 @@
 
 namespace capstan {
 
-/// Seconds that never go back.
+/// Seconds since any fixed time; never decreasing.
 using SecondsClock = std::function<double()>;
 double steady_seconds();
 
 class RunRecorder : public RunOutput {
  public:
   /// Creates the directory if it is not there.
-  /// \param choices      made for the case   \param interrupted  asked after every step
+  /// \param choices      the settings that were chosen for the case
+  /// \param interrupted  whether the run should stop; called after every step
   RunRecorder(std::filesystem::path directory, const Case& c, Choices choices,
               std::function<bool()> interrupted, SecondsClock clock = steady_seconds);
 
-  /// Puts the simulation where the newest valid checkpoint left it, or leaves it at its start.
-  /// What is said about it goes to `log`.
+  /// Restores the newest valid checkpoint, if there is one. Which checkpoint was used, and why one was not,
+  /// goes to `log`, one sentence a call.
   void resume(Simulation& simulation, const std::function<void(const std::string&)>& log);
 
   void record(const Record& record) override;
@@ -35,13 +36,13 @@ class RunRecorder : public RunOutput {
              const Points& forces) override;
   void checkpoint(StateArchive state) override;
 
-  /// After each outputs.checkpoint_every steps, if there is such a wish. And by time: when the time since the
-  /// last one is a tenth of the run's (30 s at the most), and fifty times what the last one took.
+  /// After each outputs.checkpoint_every steps, if that is not 0; and when the time since the last checkpoint
+  /// is at least a tenth of the run's time so far (0.2 s to 30 s) and fifty times as long as writing it took.
   bool is_checkpoint_due(long steps) override;
   bool interrupted() const override { return interrupted_(); }
 
-  /// Completes the index of the shapes, and writes result.json, the mark of a finished run, if it is
-  /// finished.
+  /// Completes the index of the shapes. Writes result.json, which marks a finished run, unless the run was
+  /// interrupted.
   void finish(const Simulation& simulation, const Outcome& outcome);
 
  private:
@@ -58,9 +59,10 @@ class RunRecorder : public RunOutput {
   std::optional<ShapeWriter> shapes_;
   SecondsClock clock_;
   double started_;
-  double seconds_before_ = 0;  ///< spent by the processes that this one resumes
+  double seconds_before_ = 0;  ///< of the earlier processes of this run
   ShareOfTime checkpoints_, indices_;
-  double asked_ = 0;  ///< when it was asked whether a checkpoint is due: to collect the state takes time, too
+  double asked_ =
+      0;  ///< when is_checkpoint_due() was called: collecting the state is part of a checkpoint's cost
 };
 
 }  // namespace capstan

@@ -22,7 +22,7 @@ std::string folded_surface(const Case& c, const SurfaceWatch& surface) {
   std::ostringstream text;
   text.precision(3);
   text << "the surface is not smooth on this mesh from kt = " << *surface.folded_from()
-       << " on: " << surface.in_words() << "; use "
+       << " on: " << surface.description() << "; use "
        << (c.has_bending() ? "a larger bending stiffness E_b" : "a bending stiffness (E_b = 0.005)")
        << " or more nodes";
   return text.str();

@@ -1,5 +1,5 @@
 #pragma once
-// What makes the answer of a run doubtful: what was seen, why it matters, and what to do.
+// The warnings of result.json: reasons to doubt the result of a run, and what the user can change.
 #include <string>
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace capstan {
 
-/// Those of the case's settings (case_warnings) first.
+/// One sentence each. The warnings about the case itself (case_warnings) come first.
 std::vector<std::string> run_warnings(const Case& c, const RunStatistics& statistics,
                                       const SurfaceWatch& surface);
 

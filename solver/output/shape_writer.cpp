@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A matrix with one column an entity is, in memory, an array with one row an entity.
+/// Writes a 3 x n matrix as n rows: column-major storage is the row-major storage of the transpose.
 template <class Matrix>
 void write_rows(Hdf5Writer& file, const std::string& name, const Matrix& matrix) {
   file.write(name, std::span(matrix.data(), static_cast<size_t>(matrix.size())), 3);
@@ -42,7 +42,7 @@ void ShapeWriter::write(double kt, int frame, const Points& positions, const Poi
   vertex_count_ = positions.cols();
 }
 
-/// Of an earlier process of this run.
+/// Adds the frames of earlier processes of this run to the index.
 void ShapeWriter::take_up_frames_before(int frame) {
   for (int earlier = 0; earlier < frame; ++earlier) {
     const fs::path path = directory_.frame_file(earlier);

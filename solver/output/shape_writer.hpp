@@ -1,9 +1,9 @@
 #pragma once
-// The membrane in time: one HDF5 file a frame, the triangles in one of their own, and an index of the frames
-// with their times for ParaView.
+// The shapes of the membrane in time: one HDF5 file for each frame, one for the triangles, and an index of
+// the frames with their times for ParaView.
 //
-// One file a frame, because HDF5 loses a whole file when its writer is killed. Each is published whole. The
-// index is replaced as a whole, which costs the more the more frames there are: its owner says when.
+// Each frame has its own file because HDF5 loses a whole file when its writer is killed. The index is
+// replaced as a whole, in a time that grows with the number of frames: the caller decides when.
 #include <filesystem>
 #include <map>
 
@@ -25,8 +25,8 @@ class ShapeWriter {
   /// \param forces      3 x #V, by the membrane on the fluid, / (mu_a k a^2)
   void write(double kt, int frame, const Points& positions, const Points& velocities, const Points& forces);
 
-  /// Replaces the index DIRECTORY/shapes.xdmf2: all frames up to the last one written. A resumed run drops
-  /// the frames after its checkpoint from it, and writes them again.
+  /// Replaces the index DIRECTORY/shapes.xdmf2. It lists all frames up to the last one written; a resumed run
+  /// writes the frames after its checkpoint again.
   void write_index() const;
 
  private:

@@ -1,17 +1,19 @@
 #pragma once
-// Work that is done now and then and shall take at most a fiftieth of a run's time, whatever it costs.
+// Limits repeated work, such as writing a checkpoint, to 2 % of the time of a run.
 #include <algorithm>
 
 namespace capstan {
 
 class ShareOfTime {
  public:
-  /// \param now  seconds, by any clock that never goes back   \param interval  the least from one time to the
-  /// next
+  /// Whether the work may be done again.
+  /// \param now  seconds   \param interval  smallest time between the end of the work and its next start,
+  /// seconds
   bool is_due(double now, double interval) const {
     return now - done_ >= std::max(interval, kRestToWork * last_cost_);
   }
 
+  /// The work took from `began` to `ended`, seconds.
   void done(double began, double ended) {
     done_ = ended;
     last_cost_ = ended - began;

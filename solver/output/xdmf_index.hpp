@@ -1,10 +1,8 @@
 #pragma once
-// The text file that tells ParaView which arrays of which HDF5 files are the membrane at which time.
+// The index of the shapes for ParaView: which arrays of which HDF5 files are the membrane at which time.
 //
-// XDMF version 2 (xdmf.org, "XDMF Model and Format"), in a file named *.xdmf2: ParaView 5.11 has two readers
-// for
-// *.xdmf and opens it with the one for version 3 unless told otherwise; for *.xdmf2 it has the one for
-// version 2.
+// XDMF version 2 (xdmf.org, "XDMF Model and Format"), in a file named *.xdmf2. ParaView 5.11 opens *.xdmf
+// with its reader for version 3, and *.xdmf2 with the one for version 2.
 #include <string>
 #include <vector>
 

@@ -1,25 +1,34 @@
 #pragma once
-// The history and the samples to and from a checkpoint: eight numbers a record, four a sample.
-#include "solver/observe/history.hpp"
+// The history and the motion samples in a checkpoint: flat arrays, one record or sample after the other.
+#include <algorithm>
+
 #include "solver/observe/motion_sample.hpp"
+#include "solver/observe/observables.hpp"
 #include "solver/state/state_archive.hpp"
 
 namespace capstan {
 
+/// Observables of checkpoints that do not say how many they have.
+inline constexpr std::size_t kFirstObservableCount = 8;
+
 inline void put_history(StateArchive& archive, const History& history) {
   std::vector<double> numbers;
-  for (const Record& r : history)
-    numbers.insert(numbers.end(),
-                   {r.kt, r.D_xy, r.theta, r.psi, r.volume, r.area, double(r.iterations), r.error});
+  for (const Record& record : history)
+    numbers.insert(numbers.end(), record.values.begin(), record.values.end());
   archive.put("history", std::move(numbers));
+  if (kObservableCount != kFirstObservableCount) archive.put("history_columns", double(kObservableCount));
 }
 
+/// An observable that the checkpoint lacks, because a program without it wrote the file, is NaN.
 inline History get_history(const StateArchive& archive) {
   const auto numbers = archive.get("history");
+  const std::size_t columns = archive.contains("history_columns")
+                                  ? std::size_t(archive.number("history_columns"))
+                                  : kFirstObservableCount;
   History history;
-  for (std::size_t i = 0; i + 8 <= numbers.size(); i += 8)
-    history.push_back({numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3], numbers[i + 4],
-                       numbers[i + 5], static_cast<int>(numbers[i + 6]), numbers[i + 7]});
+  for (std::size_t first = 0; first + columns <= numbers.size(); first += columns)
+    std::ranges::copy(numbers.subspan(first, std::min(columns, kObservableCount)),
+                      history.emplace_back().values.begin());
   return history;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The times at which something is asked for: 0, an interval, twice the interval, ... and always the end.
+// The times kt of records or shapes: 0, interval, 2 interval, .. and the end of the run.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -11,10 +11,10 @@ class OutputTimes {
   OutputTimes(double interval, double end)
       : interval_(interval), end_(end), last_(long(std::ceil(end / interval * (1 - 1e-12)))) {}
 
-  long last() const { return last_; }  ///< the number of the end; the start has number 0
+  long last() const { return last_; }  ///< number of the last time; the start has number 0
 
-  /// In the decimals a user would write: 3 times 0.1 is 0.3, not 0.30000000000000004. A product's rounding
-  /// error is less than half of the fifteenth digit.
+  /// The time of this number, in the decimals that a user would write: 3 times 0.1 is 0.3, not
+  /// 0.30000000000000004. The rounding error of the product is less than half a unit of the fifteenth digit.
   double operator[](long number) const {
     if (number >= last_) return end_;
     char text[32];

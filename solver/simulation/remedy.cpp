@@ -10,20 +10,22 @@
 namespace capstan {
 namespace {
 
-constexpr double kFolded = 90,
-                 kCollapsed = 2;  // degrees; an oblate capsule of aspect 0.1 has 53 and 6.6 at rest
+// Degrees. An oblate capsule of aspect 0.1 has a largest dihedral angle of 53 and a smallest angle of 6.6 at
+// rest.
+constexpr double kFolded = 90, kCollapsed = 2;
 
-std::string of_the_fluid(const Case& c) {
+std::string advice_on_fluid(const Case& c) {
   if (!neglects_inertia(c)) return "";
   return "At Re = " + rounded(c.Re) +
          " the quasi-steady flow leaves out what matters: take the fluid transient.";
 }
 
+/// Whether the time step is too long for the explicit method, by the estimated decay rate of the membrane.
 bool is_unstable(const Case& c) {
   return c.fluid != Fluid::transient && c.fidelity.kdt * fastest_decay(c) > 0.5;
 }
 
-std::string of_the_time_step(const Case& c) {
+std::string advice_on_time_step(const Case& c) {
   if (c.fluid == Fluid::transient)
     return "The transient flow's time step, 0.04 Re dx^2, may be too long for this membrane: lower Re, E_b "
            "or C, or "
@@ -34,7 +36,7 @@ std::string of_the_time_step(const Case& c) {
          ", may be too long for this membrane: take the stepper rkc2, or a kdt of " + rounded(shorter) + ".";
 }
 
-std::string of_folds(const Case& c, const SurfaceQuality& surface) {
+std::string advice_on_folds(const Case& c, const SurfaceQuality& surface) {
   if (!(surface.largest_dihedral > kFolded)) return "";
   constexpr double kEnough = 0.005;  // keeps most capsules smooth
   const std::string remedy = c.E_b < kEnough ? "raise E_b to " + rounded(kEnough)
@@ -45,9 +47,9 @@ std::string of_folds(const Case& c, const SurfaceQuality& surface) {
          remedy + ".";
 }
 
-/// Skalak's tension under compression grows until a stretch of 1/sqrt(3), then falls; only C keeps the area
-/// from shrinking so far.
-std::string of_collapse(const Case& c, const SurfaceQuality& surface) {
+/// The compressive tension of Skalak's law grows down to a stretch of 1/sqrt(3) and decreases below it. Only
+/// the area term, with C, resists further compression.
+std::string advice_on_collapse(const Case& c, const SurfaceQuality& surface) {
   constexpr double kSmallC = 0.5;
   if (c.law == Law::skalak && c.C < kSmallC)
     return "Skalak's law with C = " + rounded(c.C) +
@@ -58,8 +60,9 @@ std::string of_collapse(const Case& c, const SurfaceQuality& surface) {
          " degrees): raise E_b, lower Ca, or take more nodes.";
 }
 
-/// Little viscosity inside leaves short waves of the membrane undamped; a lattice smooths them.
-std::string of_a_thin_inside(const Case& c) {
+/// An inner fluid of low viscosity hardly damps short waves of the membrane. Lattice models smooth these
+/// waves.
+std::string advice_on_inner_viscosity(const Case& c) {
   if (c.fluid != Fluid::stokes || !(c.V < 0.5)) return "";
   return "An inside this thin (V = " + rounded(c.V) +
          ") hardly damps the membrane: take the fluid quasisteady, raise V, or lower Ca.";
@@ -72,13 +75,13 @@ bool is_lost(const SurfaceQuality& surface) {
 }
 
 std::string remedy(const Case& c, const SurfaceQuality& surface, bool of_motion) {
-  const std::string of_fluid = of_the_fluid(c), of_step = of_motion ? of_the_time_step(c) : "";
+  const std::string of_fluid = advice_on_fluid(c), of_step = of_motion ? advice_on_time_step(c) : "";
   if (!of_fluid.empty()) return of_fluid;
-  if (of_motion && is_unstable(c)) return of_step;  // the surface shows what it did
+  if (of_motion && is_unstable(c)) return of_step;  // folds are a consequence of it
   std::string all;
-  for (const std::string& one : {of_step, of_folds(c, surface), of_collapse(c, surface)})
+  for (const std::string& one : {of_step, advice_on_folds(c, surface), advice_on_collapse(c, surface)})
     if (!one.empty()) all += (all.empty() ? "" : " ") + one;
-  if (all.empty() && of_motion) all = of_a_thin_inside(c);
+  if (all.empty() && of_motion) all = advice_on_inner_viscosity(c);
   if (all.empty() && of_motion)
     return "The forces of the membrane are too strong: raise Ca, or lower E_b, C or c0.";
   return all;

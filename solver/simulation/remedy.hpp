@@ -7,15 +7,16 @@
 
 namespace capstan {
 
-/// Faces have folded onto each other, or triangles have collapsed: flow and forces mean nothing any more.
+/// Whether the surface is folded or has triangles that have collapsed: its forces and flow are then
+/// meaningless.
 bool is_lost(const SurfaceQuality& surface);
 
-/// Sentences on what made a run fail, as far as the case and the surface's last shape tell, each with what to
-/// change; empty when they tell nothing. \param of_motion the membrane's motion went wrong, so that the time
-/// step may be too long
+/// Sentences that name likely causes of a failure and what to change in the case; empty if there is none.
+/// \param surface    at the time of the failure
+/// \param of_motion  the positions of the membrane are wrong, so the time step may be too long
 std::string remedy(const Case& c, const SurfaceQuality& surface, bool of_motion);
 
-/// "the volume has drifted by 11 %", also where the number is beyond all sense or none.
+/// "the volume has drifted by 11 %", or a sentence for a drift that is huge or not finite.
 /// \param drift V/V(0) - 1
 std::string volume_drift_in_words(double drift);
 

@@ -1,7 +1,7 @@
 #pragma once
-// Where a simulation puts what it finds, and from where it is told to stop.
+// The receiver of what a simulation computes; it also requests checkpoints and interruptions.
 #include "solver/mesh/triangle_mesh.hpp"
-#include "solver/observe/history.hpp"
+#include "solver/observe/observables.hpp"
 #include "solver/state/state_archive.hpp"
 
 namespace capstan {
@@ -9,13 +9,17 @@ namespace capstan {
 class RunOutput {
  public:
   virtual ~RunOutput() = default;
+  /// The observables at a multiple of outputs.history_every, or at the end of the run.
   virtual void record(const Record& record) = 0;
-  /// The membrane at a time asked for, or where a run broke down; frames count from 0.
+  /// The membrane at a multiple of outputs.shapes_every, at the end of the run, or where it broke down.
+  /// \param frame  counts from 0   \param positions, velocities, forces  3 x #V
   virtual void shape(double kt, int frame, const Points& positions, const Points& velocities,
                      const Points& forces) = 0;
+  /// The state from which the run can be continued. Its views point into the simulation.
   virtual void checkpoint(StateArchive state) = 0;
-  /// Asked after each step. \param steps  since the start of the run
+  /// Called after each step. \param steps  since the start of the run
   virtual bool is_checkpoint_due(long steps) = 0;
+  /// Whether the run should stop here with a checkpoint. Called after each step.
   virtual bool interrupted() const = 0;
 };
 

@@ -8,15 +8,16 @@
 namespace capstan {
 namespace {
 
-constexpr double kDamping = 2. / 13;  // epsilon: all stable modes are damped, by a third at the most
-constexpr double kSafety = 1.2;       // the power iteration approaches the spectral radius from below
+constexpr double kDamping = 2. / 13;  // epsilon: stable modes are damped by up to a third in each step
+constexpr double kSafety = 1.2;       // the power iteration converges to the spectral radius from below
 constexpr int kStepsAnEstimate = 15;
 constexpr int kMaxStages = 200;
 constexpr double kMinStep = 1e-6;
 
 double rms(const Points& vectors) { return vectors.norm() / std::sqrt(double(vectors.cols())); }
 
-/// Stages that make a step stable, from  beta(s) = (s^2 - 1)(2/3)(1 - 2 epsilon / 15).
+/// Number of stages s for which the step is stable: the stability limit is
+///   beta(s) = (2/3)(s^2 - 1)(1 - 2 epsilon / 15) >= step * spectral radius.
 int stages_for(double step, double spectral_radius) {
   return std::max(2, 1 + int(std::sqrt(1 + 1.54 * step * spectral_radius)));
 }
@@ -30,7 +31,7 @@ Chebyshev next(double w0, const Chebyshev& now, const Chebyshev& before) {
           4 * now.dT + 2 * w0 * now.ddT - before.ddT};
 }
 
-/// The coefficients of a step of s stages, in the paper's symbols.
+/// The coefficients of a step of s stages, in the symbols of Sommeijer et al.
 struct Coefficients {
   explicit Coefficients(int s) {
     const double w0 = 1 + kDamping / (s * s);
@@ -82,19 +83,19 @@ StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, d
       positions = std::move(trial.end);
       ++steps_since_estimate_;
       step_ = std::min(options_.largest_step, std::max(step * factor, factor >= 1 ? step_ : 0.));
-      report_.converged = true;  // what was lost on the way was tried again with a smaller step
+      report_.converged = true;  // flow solutions that failed were repeated with a smaller step
       return {.kt = step == kt_end - kt ? kt_end : kt + step, .flow = report_, .refusals = refusals};
     }
     ++refusals;
     step_ = step * factor;
-    spectral_radius_ = 0;  // the likely culprit
+    spectral_radius_ = 0;  // an underestimate is the likely cause: estimate it again
   } while (step_ >= kMinStep);
   if (report_.converged) report_ = lost_flow("no time step is small enough for the membrane's motion");
   return {.kt = kt, .flow = report_, .refusals = refusals};
 }
 
-/// The longest that error and stability allow; the last two steps before the end are equal, lest one be a
-/// sliver.
+/// The longest step that error and stability allow. The last two steps before the end are equal, so that none
+/// is much shorter than the others. \param left  kt to the end of the run
 double RungeKuttaChebyshev::next_step(double left) const {
   const double longest =
       std::min({step_, options_.largest_step, kMaxStages * kMaxStages / (1.6 * spectral_radius_)});
@@ -125,10 +126,12 @@ RungeKuttaChebyshev::Trial RungeKuttaChebyshev::attempt(double kt, double step, 
   return trial;
 }
 
-// Power iteration with the derivative by differences along the mode that was stiffest last time.
+// Power iteration on dU/dX. Its products with vectors are finite differences of the velocities; the start is
+// the mode of the last estimate.
 void RungeKuttaChebyshev::estimate_spectral_radius(double kt, const Points& positions,
                                                    const Points& velocities) {
-  constexpr double kDisplacement = 1e-4;  // rms / a: well above the flow's rounding, well below an edge
+  constexpr double kDisplacement =
+      1e-4;  // rms / a: far above the flow's rounding error, far below an edge length
   constexpr int kMaxIterations = 50;
   constexpr double kEnough = 0.02;  // relative change from one iteration to the next
   if (stiffest_.size() == 0) stiffest_ = velocities;
@@ -146,8 +149,8 @@ void RungeKuttaChebyshev::estimate_spectral_radius(double kt, const Points& posi
   steps_since_estimate_ = 0;
 }
 
-/// As a membrane does whose triangles collapse. At a radius of 1e6 a unit of kt takes thousands of flows; a
-/// membrane that is as stiff from its start is computed all the same.
+/// A membrane whose triangles collapse becomes ever stiffer. At a spectral radius of 1e6 a unit of kt takes
+/// thousands of flow solutions. A membrane that is that stiff at its start is computed.
 bool RungeKuttaChebyshev::has_stiffened_too_much() const {
   constexpr double kGrowth = 1e4, kRadius = 1e6;
   return spectral_radius_ > std::max(kRadius, kGrowth * first_radius_);

@@ -1,8 +1,8 @@
 #pragma once
-// Stabilised explicit integration: a membrane is stiff (its short waves relax much faster than the flow turns
-// it), and all its fast modes decay. RKC2 of Sommeijer, Shampine and Verwer (J. Comput. Appl. Math. 88, 315,
-// 1997) is of second order and spends s flows on a step that is stable for decay rates up to about 0.65 s^2 /
-// step.
+// Stabilised explicit time integration. A membrane is stiff: its short waves relax much faster than the flow
+// deforms it, and they decay without oscillation. The second-order Runge-Kutta-Chebyshev method RKC2 of
+// Sommeijer, Shampine and Verwer (J. Comput. Appl. Math. 88, 315, 1997) with s stages takes s flow solutions
+// a step and is stable for decay rates up to about 0.65 s^2 / step.
 #include "solver/simulation/time_step.hpp"
 
 namespace capstan {
@@ -10,7 +10,7 @@ namespace capstan {
 class RungeKuttaChebyshev : public TimeStepper {
  public:
   struct Options {
-    double tolerance = 3e-4;    ///< largest error of one step, rms over the membrane / a
+    double tolerance = 3e-4;    ///< largest error of the positions in one step, root mean square, / a
     double largest_step = 0.1;  ///< k dt
   };
   RungeKuttaChebyshev() : RungeKuttaChebyshev(Options{}) {}
@@ -21,13 +21,14 @@ class RungeKuttaChebyshev : public TimeStepper {
   void save(StateArchive& archive) const override;
   void load(const StateArchive& archive) override;
 
+  /// Of dU/dX, in units of k.
   double spectral_radius() const { return spectral_radius_; }
 
  private:
-  /// One attempt: from (kt, start) with the velocities there by `step`.
+  /// A step before its error is accepted.
   struct Trial {
     Points end, end_velocities;
-    double error = 0;  ///< of the tolerance; not finite if the flow was lost
+    double error = 0;  ///< in units of the tolerance; not finite if a flow solution failed
   };
   double next_step(double left) const;
   Trial attempt(double kt, double step, const Points& start, const Points& velocities);
@@ -37,12 +38,12 @@ class RungeKuttaChebyshev : public TimeStepper {
 
   Options options_;
   const VelocityField* field_ = nullptr;  ///< during advance
-  FlowReport report_;                     ///< of all flows since advance began
-  double step_ = 0;                       ///< wished next; 0 at the start
-  double spectral_radius_ = 0;            ///< of the velocities' derivative by the positions; 0: not known
-  double first_radius_ = 0;               ///< the first estimate of it
+  FlowReport report_;                     ///< of all flow solutions of this step
+  double step_ = 0;                       ///< k dt, the next to be tried; 0 at the start of the run
+  double spectral_radius_ = 0;            ///< of dU/dX, estimated; 0: not known
+  double first_radius_ = 0;               ///< the first estimate of the run
   int steps_since_estimate_ = 0;
-  Points stiffest_;  ///< 3 x #V: the mode that decays fastest, as last seen
+  Points stiffest_;  ///< 3 x #V, last estimate of the fastest decaying mode
 };
 
 }  // namespace capstan

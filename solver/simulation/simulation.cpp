@@ -10,34 +10,34 @@
 #include "solver/mesh/geometry.hpp"
 #include "solver/mesh/shapes.hpp"
 #include "solver/mesh/surface_quality.hpp"
-#include "solver/simulation/history_archive.hpp"
+#include "solver/observe/measure.hpp"
+#include "solver/simulation/plan.hpp"
 #include "solver/simulation/remedy.hpp"
-#include "solver/state/points_archive.hpp"
 
 namespace capstan {
 
-// Paper, section VI: at each step the membrane's forces drive a steady flow, and the membrane moves with that
-// flow.
+// Paper, section VI: at each step the forces of the membrane drive a steady flow, and the membrane moves with
+// it.
 Outcome Simulation::run(RunOutput& output) {
   std::optional<Outcome> breakdown;
   if (history_.empty()) {
-    breakdown = find_flow();
-    if (!breakdown) put_out(output);
+    breakdown = solve_flow_now();
+    if (!breakdown) write_due_output(output);
   }
   while (!breakdown) {
     breakdown = step();
     if (breakdown) break;
-    put_out(output);
+    write_due_output(output);
     if (auto outcome = finished(output)) return *outcome;
     const bool interrupted = output.interrupted();
     if (interrupted || output.is_checkpoint_due(statistics_.steps)) save_checkpoint(output);
     if (interrupted) return {Stop::interrupted};
   }
-  show_breakdown(output);
+  write_breakdown(output);
   return *breakdown;
 }
 
-/// A lattice in time has steps of one length: its last one goes beyond the end.
+/// A flow model that imposes its time step has steps of one length: the last one passes the end of the run.
 std::optional<Outcome> Simulation::step() {
   const VelocityField field = [this](double at, const Points& x, Points& u) { return solve_flow(at, x, u); };
   const double end = flow_->imposed_time_step() ? std::numeric_limits<double>::infinity() : case_.until.kt;
@@ -47,20 +47,20 @@ std::optional<Outcome> Simulation::step() {
   now_.kt = step.kt;
   if (auto outcome = failure(step.flow)) return outcome;
   if (auto outcome = refusal(step)) return outcome;
-  note(step.flow);
+  count(step.flow);
   ++statistics_.steps;
-  return find_flow();
+  return solve_flow_now();
 }
 
-std::optional<Outcome> Simulation::find_flow() {
+std::optional<Outcome> Simulation::solve_flow_now() {
   const FlowReport flow = solve_flow(now_.kt, now_.positions, now_.velocities);
   if (auto outcome = failure(flow)) return outcome;
-  note(flow);
+  count(flow);
   now_.forces = solved_.forces;
   return std::nullopt;
 }
 
-/// A stepper may end with the flow that the next step starts with: that one is known.
+/// A stepper may end with the flow that the next step starts with: it is not computed twice.
 FlowReport Simulation::solve_flow(double at, const Points& positions, Points& velocities) {
   if (positions == solved_.positions) {
     velocities = solved_.velocities;
@@ -76,15 +76,16 @@ FlowReport Simulation::solve_flow(double at, const Points& positions, Points& ve
 Simulation::Simulation(const Case& c)
     : case_(c),
       sphere_(make_icosphere(*icosphere_subdivisions(c.fidelity.nodes))),
-      now_{.kt = 0, .positions = initial_positions(c, sphere_), .velocities = {}, .forces = {}},
-      orbits_(symmetry_of(c, now_.positions)),
-      membrane_(c, sphere_.mesh, now_.positions, orbits_),
-      flow_(make_flow(c, sphere_.mesh, now_.positions, orbits_)),
+      reference_(initial_positions(c, sphere_)),
+      now_{.kt = 0, .positions = reference_, .velocities = {}, .forces = {}},
+      orbits_(symmetry_of(c, reference_)),
+      membrane_(c, sphere_.mesh, reference_, orbits_),
+      flow_(make_flow(c, sphere_.mesh, reference_, orbits_)),
       stepper_(make_stepper(c, flow_->imposed_time_step())),
       record_times_(c.outputs.history_every, c.until.kt),
-      tracker_(now_.positions, sphere_.mesh.faces),
-      initial_volume_(volume(now_.positions, faces())),
-      initial_area_(area(now_.positions, faces())) {
+      tracker_(reference_, faces()),
+      initial_volume_(volume(reference_, faces())),
+      initial_area_(area(reference_, faces())) {
   now_.velocities = now_.forces = Points::Zero(3, now_.positions.cols());
   solved_ = {0, Points::Zero(3, now_.positions.cols()), now_.velocities, now_.forces};
   if (c.outputs.shapes_every > 0) shape_times_.emplace(c.outputs.shapes_every, c.until.kt);
@@ -100,18 +101,19 @@ std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
   return std::nullopt;
 }
 
-/// On a surface that is lost a step that is refused shrinks without end, and the flow costs ever more. On any
-/// other a run whose steps are refused again and again within one unit of kt would take for ever.
+/// Stops runs that make no progress. Where the mesh does not resolve the surface, rejected steps shrink
+/// without limit and each flow costs more than the last. Elsewhere a run with hundreds of rejected steps in
+/// one unit of kt would not end in reasonable time.
 std::optional<Outcome> Simulation::refusal(const StepReport& step) {
   constexpr int kMaxOnLostSurface = 20;
-  constexpr double kMaxRecent = 100;  // stiff membranes that reach their end have up to 40
+  constexpr double kMaxRecent = 100;  // stiff membranes that reach the end of the run have up to 40
   if (step.refusals > 0 && is_lost(surface_quality(sphere_.mesh, now_.positions))) refusals_ += step.refusals;
   recent_refusals_ = recent_refusals_ * std::exp(before_.kt - now_.kt) + step.refusals;
   if (refusals_ <= kMaxOnLostSurface && recent_refusals_ <= kMaxRecent) return std::nullopt;
   return stopped(Stop::diverged, "the steps become ever shorter");
 }
 
-/// \param what has gone wrong; when, and what to do, are added
+/// \param what  went wrong; the time and what the user can change are added to it
 Outcome Simulation::stopped(Stop stop, const std::string& what) const {
   std::ostringstream text;
   text << "at kt = " << now_.kt << ": " << what;
@@ -121,8 +123,8 @@ Outcome Simulation::stopped(Stop stop, const std::string& what) const {
   return {stop, text.str()};
 }
 
-/// No flow is better than its numbers.
-void Simulation::note(const FlowReport& flow) {
+/// An estimated error below the rounding error of the flow model is replaced by the latter.
+void Simulation::count(const FlowReport& flow) {
   const double error = std::max(flow.error, flow_rounding(case_));
   iterations_since_record_ += flow.iterations;
   statistics_.flow_iterations += flow.iterations;
@@ -130,114 +132,81 @@ void Simulation::note(const FlowReport& flow) {
   statistics_.worst_flow_error = std::max(statistics_.worst_flow_error, error);
 }
 
-/// The last sound state, if there was one, as a record and a shape; and as a shape what came of it.
-void Simulation::show_breakdown(RunOutput& output) {
+/// A record and a shape of the last valid state, if there is one, and a shape of the invalid one.
+void Simulation::write_breakdown(RunOutput& output) {
   if (!history_.empty()) {
-    if (history_.back().kt < before_.kt) record(before_, output);
-    if (!is_shown(before_.kt)) show(before_, output);
+    if (history_.back()["kt"] < before_.kt) record(before_, output);
+    if (!has_shape_at(before_.kt)) write_shape(before_, output);
     if (now_.kt == before_.kt) return;  // no step could be made
   }
   if (now_.positions.allFinite()) membrane_.forces(now_.positions, now_.forces);
-  show(now_, output);
+  write_shape(now_, output);
 }
 
-bool Simulation::is_shown(double time) const { return shape_times_ && (*shape_times_)[frames_ - 1] >= time; }
+bool Simulation::has_shape_at(double kt) const { return shape_times_ && (*shape_times_)[frames_ - 1] >= kt; }
 
-void Simulation::show(const MembraneState& state, RunOutput& output) {
+void Simulation::write_shape(const MembraneState& state, RunOutput& output) {
   output.shape(state.kt, frames_++, state.positions, state.velocities, state.forces);
 }
 
-/// Everything that was asked for since the step before, and a sample.
-void Simulation::put_out(RunOutput& output) {
-  for (long n = long(history_.size()); n <= record_times_.last() && has_come(record_times_[n]); ++n)
+/// The records and shapes whose times lie between the last two steps, and a sample of the motion.
+void Simulation::write_due_output(RunOutput& output) {
+  for (long n = long(history_.size()); n <= record_times_.last() && is_reached(record_times_[n]); ++n)
     record(state_at(record_times_[n]), output);  // eqs. 5, 44
-  while (shape_times_ && frames_ <= shape_times_->last() && has_come((*shape_times_)[frames_]))
-    show(state_at((*shape_times_)[frames_]), output);
-  observe();
+  while (shape_times_ && frames_ <= shape_times_->last() && is_reached((*shape_times_)[frames_]))
+    write_shape(state_at((*shape_times_)[frames_]), output);
+  sample_motion();
 }
 
-constexpr double kSameTime = 1e-6;  ///< of a step: nearer to its end than this is at its end
+constexpr double kSameTime = 1e-6;  // of a step: times that differ by less are equal
 
-bool Simulation::has_come(double time) const { return time <= now_.kt + kSameTime * (now_.kt - before_.kt); }
+bool Simulation::is_reached(double kt) const { return kt <= now_.kt + kSameTime * (now_.kt - before_.kt); }
 
-MembraneState Simulation::state_at(double time) const {
-  if (time < now_.kt - kSameTime * (now_.kt - before_.kt)) return between(before_, now_, time);
+MembraneState Simulation::state_at(double kt) const {
+  if (kt < now_.kt - kSameTime * (now_.kt - before_.kt)) return between(before_, now_, kt);
   MembraneState state = now_;
-  state.kt = time;
+  state.kt = kt;
   return state;
 }
 
 void Simulation::record(const MembraneState& state, RunOutput& output) {
-  Record now = tracker_.look(state.kt, state.positions);
-  now.iterations = std::exchange(iterations_since_record_, 0);
-  now.error = last_flow_error_;
-  history_.push_back(now);
-  output.record(now);
+  history_.push_back(measure_all({.parameters = case_,
+                                  .mesh = sphere_.mesh,
+                                  .reference = reference_,
+                                  .positions = state.positions,
+                                  .velocities = state.velocities,
+                                  .forces = state.forces,
+                                  .motion = tracker_.look(state.kt, state.positions),
+                                  .iterations = std::exchange(iterations_since_record_, 0),
+                                  .flow_error = last_flow_error_}));
+  output.record(history_.back());
 }
 
-void Simulation::observe() {
-  const bool is_due = samples_.empty() || has_come(samples_.back().kt + kSampleInterval);
+void Simulation::sample_motion() {
+  const bool is_due = samples_.empty() || is_reached(samples_.back().kt + kSampleInterval);
   if (!is_due && now_.kt < case_.until.kt) return;
-  const Record seen = tracker_.observe(now_.kt, now_.positions);
-  samples_.push_back({seen.kt, seen.D_xy, seen.theta, seen.psi});
-  statistics_.volume_drift = std::max(statistics_.volume_drift, std::abs(seen.volume / initial_volume_ - 1));
-  if (surface_.is_due(now_.kt)) surface_.look(now_.kt, surface_quality(sphere_.mesh, now_.positions));
-  statistics_.area_drift = std::max(statistics_.area_drift, std::abs(seen.area / initial_area_ - 1));
+  samples_.push_back(tracker_.observe(now_.kt, now_.positions));
+  const auto drift = [](double now, double initial) { return std::abs(now / initial - 1); };
+  statistics_.volume_drift =
+      std::max(statistics_.volume_drift, drift(volume(now_.positions, faces()), initial_volume_));
+  statistics_.area_drift =
+      std::max(statistics_.area_drift, drift(area(now_.positions, faces()), initial_area_));
+  if (surface_.is_due(now_.kt)) surface_.add(now_.kt, surface_quality(sphere_.mesh, now_.positions));
 }
 
-Verdict Simulation::verdict() const { return judged_on(surface_, classify(samples_)); }
+Verdict Simulation::verdict() const { return limited_by_surface(classify(samples_), surface_); }
 
-/// Whether to end early is asked each time that kt has grown by a hundredth: an answer takes time that grows
-/// with the length of the run.
+/// Whether the run has reached its end, or may end early because its label is certain. The latter is tested
+/// when kt has grown by 1 %, because classifying takes time in proportion to the length of the run.
 std::optional<Outcome> Simulation::finished(RunOutput& output) {
   if (now_.kt >= case_.until.kt) return Outcome{Stop::reached_end};
   const auto hundredths = [](double kt) { return std::floor(std::log(kt) / 0.01); };
   if (!case_.until.classified || hundredths(now_.kt) == hundredths(before_.kt)) return std::nullopt;
   const Verdict label = verdict();
   if (!label.steady && !label.certain) return std::nullopt;
-  if (history_.back().kt < now_.kt) record(now_, output);
-  if (shape_times_ && !is_shown(now_.kt)) show(now_, output);
+  if (history_.back()["kt"] < now_.kt) record(now_, output);
+  if (shape_times_ && !has_shape_at(now_.kt)) write_shape(now_, output);
   return Outcome{label.steady ? Stop::steady : Stop::classified};
-}
-
-void Simulation::save_checkpoint(RunOutput& output) const {
-  StateArchive archive;
-  archive.put("kt", now_.kt);
-  put_points(archive, "positions", now_.positions);
-  put_points(archive, "velocities", now_.velocities);
-  stepper_->save(archive);
-  flow_->save(archive);
-  tracker_.save(archive);
-  put_history(archive, history_);
-  put_samples(archive, samples_);
-  surface_.save(archive);
-  archive.put("frames", frames_);
-  archive.put("statistics", {double(statistics_.steps), double(statistics_.flow_iterations),
-                             statistics_.worst_flow_error, statistics_.volume_drift, statistics_.area_drift});
-  archive.put("iterations_since_record", iterations_since_record_);
-  archive.put("last_flow_error", last_flow_error_);
-  archive.put("refusals", refusals_);
-  archive.put("recent_refusals", recent_refusals_);
-  output.checkpoint(std::move(archive));
-}
-
-void Simulation::load(const StateArchive& archive) {
-  now_ = {archive.number("kt"), get_points(archive, "positions"), get_points(archive, "velocities"), {}};
-  membrane_.forces(now_.positions, now_.forces);
-  solved_ = now_;
-  stepper_->load(archive);
-  flow_->load(archive);
-  tracker_.load(archive);
-  history_ = get_history(archive);
-  samples_ = get_samples(archive);
-  surface_.load(archive);
-  frames_ = int(archive.number("frames"));
-  const auto saved = archive.get("statistics");
-  statistics_ = {long(saved[0]), long(saved[1]), saved[2], saved[3], saved[4]};
-  iterations_since_record_ = int(archive.number("iterations_since_record"));
-  last_flow_error_ = archive.number("last_flow_error");
-  refusals_ = int(archive.number("refusals"));
-  recent_refusals_ = archive.number("recent_refusals");
 }
 
 }  // namespace capstan

@@ -4,11 +4,11 @@
 
 namespace capstan {
 
-// With r = step / (step before):  x += step ((1 + r/2) u - r/2 u_before).  The step before is always a whole
-// one.
+// With r = step / (previous step):  x += step ((1 + r/2) u - r/2 u_before).  The previous step always has
+// length kdt.
 StepReport AdamsBashforth2::advance(const VelocityField&, double kt, double kt_end, const Points& velocities,
                                     Points& positions) {
-  constexpr double kRounding = 1e-9;  // of a step: times are sums of steps
+  constexpr double kRounding = 1e-9;  // of a step: kt is a sum of steps, with rounding errors
   const bool is_last = kt_end - kt < kdt_ * (1 + kRounding);
   const double step = is_last ? kt_end - kt : kdt_, ratio = step / kdt_;
   if (before_.size() == 0) before_ = velocities;

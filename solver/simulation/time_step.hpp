@@ -1,5 +1,5 @@
 #pragma once
-// Moving the membrane with the fluid: dX/dt = U(X, t) (paper eq. 37).
+// Time integration of the membrane, which moves with the fluid: dX/dt = U(X, t) (paper eq. 37).
 #include <functional>
 
 #include "solver/fluid/flow_model.hpp"
@@ -7,14 +7,14 @@
 
 namespace capstan {
 
-/// Velocities of a membrane that is at `positions` at time kt: its forces, and the flow they drive.
+/// U(X, t): the velocities of the membrane (3 x #V) in the flow that its forces drive at these positions and
+/// time.
 using VelocityField = std::function<FlowReport(double kt, const Points& positions, Points& velocities)>;
 
-/// Where a step ended, and the flows it solved on the way; not converged when there was no step.
 struct StepReport {
-  double kt;
-  FlowReport flow;
-  int refusals = 0;  ///< attempts whose error was too large
+  double kt;         ///< at the end of the step
+  FlowReport flow;   ///< of all flow solutions of the step; not converged if no step was made
+  int refusals = 0;  ///< attempts that were rejected because their error was too large
 };
 
 class TimeStepper {
@@ -26,13 +26,13 @@ class TimeStepper {
   virtual StepReport advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
                              Points& positions) = 0;
 
-  /// Everything the next advance depends on.
+  /// All state that the next call of advance() depends on.
   virtual void save(StateArchive& archive) const = 0;
   virtual void load(const StateArchive& archive) = 0;
 };
 
-/// Second-order Adams-Bashforth (paper eq. 38), with one Euler step to start. Steps are equal but for the
-/// last one, which ends at kt_end; it needs no flow but the one at the start.
+/// Second-order Adams-Bashforth (paper eq. 38); the first step is Euler's. All steps have length kdt except
+/// the last one, which ends at kt_end. A step uses only the flow at its start.
 class AdamsBashforth2 : public TimeStepper {
  public:
   explicit AdamsBashforth2(double kdt) : kdt_(kdt) {}
@@ -44,7 +44,7 @@ class AdamsBashforth2 : public TimeStepper {
 
  private:
   double kdt_;
-  Points before_;  ///< velocities of the step before; empty at the start
+  Points before_;  ///< 3 x #V, velocities at the start of the previous step; empty at the start of the run
 };
 
 }  // namespace capstan

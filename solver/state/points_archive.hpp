@@ -1,5 +1,5 @@
 #pragma once
-// Points (3 x #V) to and from a checkpoint.
+// Points (3 x #V) in a StateArchive: one flat array, vertex by vertex.
 #include <Eigen/Core>
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Named arrays of numbers: what a checkpoint holds, before anyone decides on a file format.
+// The state of a run in memory: named arrays of numbers, which a checkpoint stores.
 #include <map>
 #include <span>
 #include <stdexcept>
@@ -12,10 +12,11 @@ namespace capstan {
 class StateArchive {
  public:
   StateArchive() = default;
-  StateArchive(StateArchive&&) = default;  // and no copies: the views would stay with the original
+  StateArchive(StateArchive&&) = default;  // not copied: the views of a copy would point into the original
   StateArchive& operator=(StateArchive&&) = default;
 
-  /// Keeps a view: the data must outlive the archive (a fluid's populations are too large to copy).
+  /// Keeps a view, because the populations of a lattice are too large to copy. The data must outlive the
+  /// archive.
   void put_view(const std::string& name, std::span<const double> data) { entries_[name] = {{}, data}; }
 
   void put(const std::string& name, std::vector<double> data) {
@@ -28,13 +29,14 @@ class StateArchive {
 
   bool contains(const std::string& name) const { return entries_.contains(name); }
 
-  /// Throws std::runtime_error when there is no such entry.
+  /// The array of that name. Throws std::runtime_error if there is none.
   std::span<const double> get(const std::string& name) const {
     const auto found = entries_.find(name);
     if (found == entries_.end()) throw std::runtime_error("checkpoint has no entry \"" + name + "\"");
     return found->second.view;
   }
 
+  /// The first number of the array.
   double number(const std::string& name) const { return get(name).front(); }
 
   std::vector<std::string> names() const {
@@ -45,7 +47,7 @@ class StateArchive {
 
  private:
   struct Entry {
-    std::vector<double> owned;
+    std::vector<double> owned;  ///< empty if the data belongs to the caller
     std::span<const double> view;
   };
   std::map<std::string, Entry> entries_;

@@ -25,6 +25,7 @@
 #include "runner/cli/program.hpp"
 #include "solver/run_directory/durable_file.hpp"
 #include "solver/run_directory/exit_code.hpp"
+#include "solver/run_directory/history_line.hpp"
 #include "solver/run_directory/run_directory.hpp"
 #include "solver/run_directory/stop_signals.hpp"
 
@@ -37,17 +38,18 @@ constexpr int kRecords = 10;
 
 void write_history(const RunDirectory& directory, double until, int records) {
   std::ofstream history(directory.history_file(), std::ios::trunc);
-  for (int i = 1; i <= records; ++i)
-    history << ordered_json{{"kt", until * i / kRecords},
-                            {"D_xy", 0.5},
-                            {"theta", -0.1 * i},
-                            {"psi", 0.01 * i},
-                            {"volume", 4.18},
-                            {"area", 17.2},
-                            {"iterations", 2},
-                            {"error", 1e-4}}
-                   .dump()
-            << std::endl;
+  Record record;
+  for (int i = 1; i <= records; ++i) {
+    record["kt"] = until * i / kRecords;
+    record["D_xy"] = 0.5;
+    record["theta"] = -0.1 * i;
+    record["psi"] = 0.01 * i;
+    record["volume"] = 4.18;
+    record["area"] = 17.2;
+    record["iterations"] = 2;
+    record["error"] = 1e-4;
+    history << to_json_line(record) << std::endl;
+  }
 }
 
 void write_result(const RunDirectory& directory, const ordered_json& result) {

@@ -21,7 +21,7 @@ inline History history_of(std::string_view case_text) {
 
 /// The record whose time is nearest to kt.
 inline Record at(const History& history, double kt) {
-  return *std::ranges::min_element(history, {}, [&](const Record& r) { return std::abs(r.kt - kt); });
+  return *std::ranges::min_element(history, {}, [&](const Record& r) { return std::abs(r["kt"] - kt); });
 }
 
 }  // namespace capstan::testing

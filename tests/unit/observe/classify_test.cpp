@@ -15,7 +15,7 @@ using std::numbers::pi;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// What a sample holds besides its time.
+/// A sample without its time.
 struct State {
   double D_xy, theta, psi;
 };
@@ -30,7 +30,7 @@ MotionSamples samples(double end, const std::function<State(double)>& at) {
   return all;
 }
 
-/// A curve through values given every kt = 4 from kt = 2 on, straight in between.
+/// Piecewise linear curve through values at kt = 2, 6, 10, ..
 double interpolated(const std::vector<double>& values, double kt) {
   const double place = std::clamp((kt - 2) / 4, 0.0, static_cast<double>(values.size()) - 1.001);
   const auto n = static_cast<size_t>(place);
@@ -42,7 +42,7 @@ State rigid_spheroid(double kt, double D_xy, double aspect) {  // Jeffery: turns
   return {D_xy, std::atan2(-aspect * std::sin(t), std::cos(t)) - 2 * pi * std::floor((t + pi) / (2 * pi)), 0};
 }
 
-/// A swinging tank-treader: the shape oscillates twice in each turn of the membrane.
+/// Swinging: the capsule tank-treads and its shape oscillates twice in each turn of the membrane.
 State swinging(double kt, double D_xy = 0.4, double half_turn = 8) {
   const double phase = pi * kt / half_turn;
   return {D_xy + 0.1 * std::cos(2 * phase), 0.1 * std::sin(2 * phase), -phase};
@@ -67,14 +67,14 @@ TEST(Classify, ASteadySphereWithATurningMembraneTankTreads) {
   EXPECT_TRUE(verdict.certain);
 }
 
-TEST(Classify, ASteadyShapeThatHardlyDeformsIsNoPassageThroughZero) {
+TEST(Classify, ASteadyShapeOfSmallDeformationIsNoPassageThroughZero) {
   for (double D_xy : {0.08, 0.03, 0.001}) {
     const Verdict verdict = classify(samples(20, [&](double kt) { return State{D_xy, 0.7, -kt / 2}; }));
     EXPECT_EQ(verdict.motion, Motion::tank_treading) << D_xy;
   }
 }
 
-TEST(Classify, AStiffSpheroidOfAspectNineTenthsTumblesThoughItsDeformationIsSmall) {
+TEST(Classify, ARigidSpheroidOfAspectNineTenthsTumbles) {
   const Verdict verdict = classify(samples(30, [](double kt) { return rigid_spheroid(kt, 0.0526, 0.9); }));
   EXPECT_EQ(verdict.motion, Motion::tumbling);
 }
@@ -85,7 +85,7 @@ TEST(Classify, SwingingIsTankTreading) {
   EXPECT_NEAR(verdict.evidence.theta_range, 0.2, 1e-2);
 }
 
-TEST(Classify, TheTumblingBiconcaveOfTheBoundaryIntegralTableTumbles) {
+TEST(Classify, ARecordedTumblingRedCellTumbles) {
   const std::vector<double> theta = {.093, -.008, -.275, -.909, -1.009, -1.281, -1.910, -2.010};
   const std::vector<double> D_xy = {.611, .519, .165, .606, .518, .162, .606, .517};
   const Verdict verdict = classify(samples(30, [&](double kt) {
@@ -96,7 +96,7 @@ TEST(Classify, TheTumblingBiconcaveOfTheBoundaryIntegralTableTumbles) {
   EXPECT_TRUE(verdict.certain);
 }
 
-TEST(Classify, TheSwingingBiconcaveOfTheBoundaryIntegralTableTankTreads) {
+TEST(Classify, ARecordedSwingingRedCellTankTreads) {
   const std::vector<double> theta = {.096, .023, -.022, .003, .075, .022, -.015, -.045};
   const std::vector<double> D_xy = {.673, .617, .484, .158, .543, .593, .500, .248};
   const Verdict verdict = classify(samples(30, [&](double kt) {
@@ -106,7 +106,7 @@ TEST(Classify, TheSwingingBiconcaveOfTheBoundaryIntegralTableTankTreads) {
   EXPECT_NEAR(verdict.evidence.D_min, 0.158, 0.01);
 }
 
-/// `flips` turns of the shape by pi, kt = 6 each from kt = 3 on, then tank-treading.
+/// From kt = 3 on: `flips` half-turns of the shape, each of length kt = 6, then tank-treading.
 MotionSamples flips_then_tank_treading(int flips, double end) {
   const double until = 3 + 6 * flips;
   return samples(end, [=](double kt) {
@@ -116,7 +116,7 @@ MotionSamples flips_then_tank_treading(int flips, double end) {
   });
 }
 
-TEST(Classify, FlipsThenTankTreadingAreATransitionUntilTheMotionHasSettled) {
+TEST(Classify, TumblingFollowedByTankTreadingIsATransitionUntilTheMotionHasSettled) {
   for (int flips : {1, 2}) {
     const double flipped = 3 + 6 * flips;
     EXPECT_EQ(classify(flips_then_tank_treading(flips, flipped + 6.1)).motion, Motion::transition) << flips;
@@ -126,14 +126,14 @@ TEST(Classify, FlipsThenTankTreadingAreATransitionUntilTheMotionHasSettled) {
   }
 }
 
-TEST(Classify, ASettledMotionIsJudgedByItsLastThreeHalfTurnsAndSaysWhatCameBefore) {
+TEST(Classify, ASettledMotionIsJudgedByItsLastThreeHalfTurnsAndMentionsEarlierMotion) {
   const Verdict verdict = classify(flips_then_tank_treading(1, 60));
   EXPECT_NEAR(verdict.evidence.r, 0, 0.01);
   EXPECT_NEAR(verdict.evidence.n_theta, 1, 0.1);
   EXPECT_THAT(verdict.explanation, HasSubstr("The last 8 half-turns were of the membrane. Before them"));
 }
 
-TEST(Classify, KindsThatGoOnChangingAreATransition) {
+TEST(Classify, AlternatingKindsAreATransition) {
   const Verdict verdict = classify(samples(90, [](double kt) {  // two half-turns of each kind in turn
     const double turned = kt / 8, rest = std::fmod(turned, 4), pairs = 2 * std::floor(turned / 4);
     const double D_xy = 0.4 + 0.1 * std::cos(2 * pi * turned);
@@ -143,10 +143,10 @@ TEST(Classify, KindsThatGoOnChangingAreATransition) {
   EXPECT_FALSE(verdict.certain);
 }
 
-TEST(Classify, APassageThroughZeroIsATransitionWhicheverBranchThetaTook) {
+TEST(Classify, APassageThroughZeroIsATransitionForEitherBranchOfTheta) {
   for (double branch : {-0.5, 0.5}) {
     const Verdict verdict = classify(samples(30, [&](double kt) {
-      const double D_xy = std::abs(kt - 12) / 20;  // round at kt = 12, where the axes change places
+      const double D_xy = std::abs(kt - 12) / 20;  // circular at kt = 12, where major and minor axis exchange
       return State{D_xy, kt < 12 ? 0 : branch * pi, -pi * kt / 10};
     }));
     EXPECT_EQ(verdict.motion, Motion::transition);
@@ -154,7 +154,7 @@ TEST(Classify, APassageThroughZeroIsATransitionWhicheverBranchThetaTook) {
   }
 }
 
-TEST(Classify, APassageThroughZeroBetweenTwoSamplesIsSeen) {
+TEST(Classify, APassageThroughZeroBetweenTwoSamplesIsDetected) {
   // Q jumps across 0: both samples are more than 0.2 away from it, the segment between them is not.
   const Verdict verdict = classify(samples(30, [](double kt) {
     return State{0.25 + 0.04 * std::sin(kt), kt < 12.05 ? 0.0 : -0.499 * pi, -pi * kt / 10};
@@ -163,7 +163,7 @@ TEST(Classify, APassageThroughZeroBetweenTwoSamplesIsSeen) {
   EXPECT_EQ(verdict.motion, Motion::transition);
 }
 
-TEST(Classify, AfterThreeHalfTurnsOfOneKindNearnessToRoundDoesNotOverruleThem) {
+TEST(Classify, AfterThreeHalfTurnsOfOneKindASmallDMinDoesNotCount) {
   const auto nearly_round = [](double end) {  // D_xy between 0.01 and 0.41
     return classify(samples(end, [](double kt) {
       return State{0.21 + 0.2 * std::cos(2 * pi * kt / 8), 0.3, -pi * kt / 8};
@@ -175,7 +175,7 @@ TEST(Classify, AfterThreeHalfTurnsOfOneKindNearnessToRoundDoesNotOverruleThem) {
   EXPECT_FALSE(nearly_round(60).certain);
 }
 
-TEST(Classify, ShapeAndMembraneTurningByEqualPartsIsATransition) {
+TEST(Classify, EqualRotationOfShapeAndMembraneIsATransition) {
   const Verdict verdict = classify(samples(30, [](double kt) { return State{0.4, -0.2 * kt, -0.2 * kt}; }));
   EXPECT_EQ(verdict.motion, Motion::transition);
   EXPECT_NEAR(verdict.evidence.r, 0.5, 1e-12);
@@ -190,14 +190,14 @@ TEST(Classify, LessThanOneHalfTurnIsUndecided) {
   EXPECT_FALSE(verdict.certain);
 }
 
-TEST(Classify, TurningBeforeTheStartIsForgottenDoesNotCount) {
+TEST(Classify, HalfTurnsBeforeKtThreeDoNotCount) {
   const Verdict verdict = classify(samples(15, [](double kt) {
     return State{0.4, kt < 3 ? -pi * kt : -3 * pi, kt < 3 ? 0 : -pi * (kt - 3) / 10};
   }));
   EXPECT_EQ(verdict.motion, Motion::tank_treading);
 }
 
-/// A tank-treader, D_xy at its smallest in the middle of each half-turn.
+/// Tank-treading with the smallest D_xy in the middle of each half-turn.
 MotionSamples approaching(const std::vector<double>& D_min, double end) {
   return samples(end, [=](double kt) {
     const double turned = std::max(kt - 3, 0.0) / 8;
@@ -206,13 +206,13 @@ MotionSamples approaching(const std::vector<double>& D_min, double end) {
   });
 }
 
-TEST(Classify, OneHalfTurnIsCertainOnlyVeryFarFromTheRoundShape) {
+TEST(Classify, OneHalfTurnIsCertainOnlyIfQStaysFarFromZero) {
   EXPECT_TRUE(classify(approaching({0.3}, 12)).certain);
   EXPECT_FALSE(classify(approaching({0.2}, 12)).certain);
   EXPECT_TRUE(classify(approaching({0.2}, 20)).certain);
 }
 
-TEST(Classify, TheApproachToTheRoundShapeIsNotCertainWhereItWouldGoOnToIt) {
+TEST(Classify, TheLabelIsNotCertainWhileQApproachesZero) {
   EXPECT_TRUE(classify(approaching({0.15, 0.14}, 20)).certain);
   for (double end = 11; end <= 27; end += 0.5)
     EXPECT_FALSE(classify(approaching({0.17, 0.1, 0.06}, end)).certain) << end;
@@ -232,7 +232,7 @@ TEST(Classify, ASteadyShapeIsCertainBeforeItsFirstHalfTurn) {
   EXPECT_NEAR(steady(8).evidence.margin, 1, 0.02);
 }
 
-TEST(Classify, AShapeThatRestsWithoutAnyTurningOfTheMembraneIsNotSteady) {
+TEST(Classify, AConstantShapeWithAMembraneAtRestIsNotSteady) {
   const Verdict verdict = classify(samples(60, [](double) { return State{0.5, 0.1, 0}; }));
   EXPECT_FALSE(verdict.steady);
   EXPECT_EQ(verdict.motion, Motion::undecided);
@@ -245,7 +245,7 @@ double margin(double end, const std::function<State(double)>& at) {
 TEST(Margin, OfTumblingAndTankTreadingIsTheDistanceToTheNearerThreshold) {
   const auto after_two_half_turns = [](double D_xy, double share) {
     return margin(17, [=](double kt) {
-      const double swing = 0.02 * std::sin(kt);  // lest it be steady
+      const double swing = 0.02 * std::sin(kt);  // so that it is not steady
       return State{D_xy + swing, -share * kt / 2, -(1 - share) * kt / 2};
     });
   };
@@ -254,7 +254,7 @@ TEST(Margin, OfTumblingAndTankTreadingIsTheDistanceToTheNearerThreshold) {
   EXPECT_NEAR(classify(approaching({0.08}, 20)).evidence.margin, 0.02 / 0.06, 0.01);
 }
 
-TEST(Margin, OfATransitionIsSmallWhereItsReasonIsSlight) {
+TEST(Margin, OfATransitionIsSmallNearTheThresholdOfItsReason) {
   const auto of_share = [](double share) {
     return margin(30, [=](double kt) { return State{0.4, -share * kt / 2, -(1 - share) * kt / 2}; });
   };
@@ -263,14 +263,14 @@ TEST(Margin, OfATransitionIsSmallWhereItsReasonIsSlight) {
   EXPECT_NEAR(of_share(0.74), 0.01 / 0.25, 1e-9);
 }
 
-TEST(Margin, OfATransitionIsSmallWhereItIsAboutToSettle) {
+TEST(Margin, OfATransitionIsSmallBeforeTheMotionSettles) {
   EXPECT_LE(classify(flips_then_tank_treading(1, 9 + 13)).evidence.margin, 0.34);
   const Verdict near_round = classify(approaching({0.03}, 20));
   EXPECT_EQ(near_round.motion, Motion::transition);
   EXPECT_LE(near_round.evidence.margin, 0.34);
 }
 
-TEST(Margin, IsBetweenNoughtAndOne) {
+TEST(Margin, IsBetweenZeroAndOne) {
   for (double end : {2.0, 10.0, 20.0, 45.0, 80.0})
     for (const MotionSamples& motion :
          {flips_then_tank_treading(2, end), approaching({0.01}, end),
@@ -280,7 +280,7 @@ TEST(Margin, IsBetweenNoughtAndOne) {
     }
 }
 
-TEST(Explanation, OfUndecidedSaysHowManyHalfTurnsWereSeenAndHowManyAreNeeded) {
+TEST(Explanation, OfUndecidedGivesTheNumberOfHalfTurnsSeenAndNeeded) {
   const auto sphere_to = [](double end) {
     return classify(samples(end, [](double kt) { return State{0.1 + 0.01 * kt, 0.5, -kt / 2}; })).explanation;
   };
@@ -293,7 +293,7 @@ TEST(Explanation, OfUndecidedSaysHowManyHalfTurnsWereSeenAndHowManyAreNeeded) {
   EXPECT_THAT(classify({}).explanation, StartsWith("0 half-turns were seen"));
 }
 
-TEST(Explanation, OfATransitionSaysWhyAndWhatWouldSettleIt) {
+TEST(Explanation, OfATransitionGivesItsReasonAndWhatItLacksToSettle) {
   EXPECT_EQ(classify(approaching({0.03}, 20)).explanation,
             "The section came near to round: D_min = 0.03 is less than 0.06. It would settle with 3 "
             "half-turns of one "

@@ -19,7 +19,7 @@ Points ellipsoid(const Icosphere& sphere, double a, double b, double theta) {
          sphere.directions;
 }
 
-TEST(Deformation, OfAnEllipsoidIsTaylorsOfItsAxes) {
+TEST(Deformation, OfAnEllipsoidIsTheTaylorDeformationOfItsAxes) {
   const Icosphere sphere = make_icosphere(2);
   const Points x = ellipsoid(sphere, 1.5, 0.8, 0.3);
   const auto [D_xy, theta] = deformation(inertia_ellipse(x, sphere.mesh.faces));
@@ -27,21 +27,21 @@ TEST(Deformation, OfAnEllipsoidIsTaylorsOfItsAxes) {
   EXPECT_NEAR(theta, 0.3, 1e-13);
 }
 
-TEST(Deformation, HalfAxesAreThoseOfTheEllipsoidInTheLimit) {
+TEST(Deformation, HalfAxesConvergeToThoseOfTheEllipsoid) {
   const Icosphere sphere = make_icosphere(5);
   const InertiaEllipse ellipse = inertia_ellipse(ellipsoid(sphere, 1.5, 0.8, 0.3), sphere.mesh.faces);
   EXPECT_NEAR(ellipse.major, 1.5, 1e-3);
   EXPECT_NEAR(ellipse.minor, 0.8, 1e-3);
 }
 
-TEST(Deformation, AngleIsAPrincipalValueThatIncludesTheUpperEnd) {
+TEST(Deformation, AngleIsInTheHalfOpenIntervalUpToHalfPi) {
   const Icosphere sphere = make_icosphere(1);
   EXPECT_NEAR(inertia_ellipse(ellipsoid(sphere, 2, 1, 0.6 * pi), sphere.mesh.faces).theta, -0.4 * pi, 1e-13);
   const Points upright = Vec3(1, 2, 1).asDiagonal() * sphere.directions;
   EXPECT_DOUBLE_EQ(std::abs(inertia_ellipse(upright, sphere.mesh.faces).theta), pi / 2);
 }
 
-TEST(Deformation, DoesNotDependOnWhereTheCapsuleIs) {
+TEST(Deformation, DoesNotDependOnThePositionOfTheCapsule) {
   const Icosphere sphere = make_icosphere(2);
   const Points here = ellipsoid(sphere, 1.5, 0.8, 0.3), there = here.colwise() + Vec3(4, -2, 1);
   const InertiaEllipse a = inertia_ellipse(here, sphere.mesh.faces),
@@ -50,7 +50,7 @@ TEST(Deformation, DoesNotDependOnWhereTheCapsuleIs) {
   EXPECT_NEAR(a.major, b.major, 1e-12);
 }
 
-TEST(Deformation, OfTheInitialBiconcaveIsTheOneMeasuredAtItsStart) {
+TEST(Deformation, OfTheInitialBiconcaveShapeIsTheReferenceValue) {
   Case c;
   c.shape = Shape::biconcave;
   const Icosphere sphere = make_icosphere(4);

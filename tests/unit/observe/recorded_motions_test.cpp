@@ -1,4 +1,4 @@
-// Labels of runs that were recorded to kt = 60 or more (tests/reference/motions), judged as they went on.
+// Labels of recorded runs of kt = 60 or more (tests/reference/motions) and of their beginnings.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ Verdict verdict_at(const MotionSamples& samples, double end) {
   return classify(part);
 }
 
-/// The first time at which more time would not change the label.
+/// The first verdict that is certain.
 std::optional<Verdict> early_end(const MotionSamples& samples) {
   for (const MotionSample& sample : samples)
     if (Verdict verdict = verdict_at(samples, sample.kt); verdict.certain) return verdict;
@@ -45,13 +45,13 @@ std::optional<Verdict> early_end(const MotionSamples& samples) {
 constexpr const char* kNearlyRound[] = {"sphere_V15_Ca0.1", "sphere_V50_Ca0.2", "sphere_V100_Ca0.4",
                                         "prolate1.07_V1_Ca0.0094"};
 
-TEST(RecordedMotions, NearlyRoundCapsulesTankTreadAfterThreeHalfTurnsHoweverNearToRoundTheySwing) {
+TEST(RecordedMotions, NearlySphericalCapsulesTankTreadAfterThreeHalfTurnsWithASmallDMin) {
   for (const char* name : kNearlyRound)
     for (double end = 28; end <= 60; end += 4)
       EXPECT_EQ(verdict_at(recorded(name), end).motion, Motion::tank_treading) << name << " to kt = " << end;
 }
 
-TEST(RecordedMotions, AnEndAsSoonAsTheLabelIsCertainHasTheLabelOfTheLongRun) {
+TEST(RecordedMotions, TheFirstCertainLabelIsThatOfTheLongRun) {
   for (const char* name :
        {"biconcave_V8_Ca0.9", "biconcave_V8_Ca1", "biconcave_V6_Ca0.9", "biconcave_V4_Ca0.25",
         "biconcave_V2_Ca0.2", "oblate0.5_V15_Ca0.6", "sphere_V1_Ca0.2", "sphere_V15_Ca0.1",
@@ -65,7 +65,7 @@ TEST(RecordedMotions, AnEndAsSoonAsTheLabelIsCertainHasTheLabelOfTheLongRun) {
 }
 
 // D_min of their half-turns: .184, .117, .074, .050, .045 and .179, .105, .055, .029, .027.
-TEST(RecordedMotions, ARedCellWhoseSectionComesNearerToRoundWithEachTurnIsNotCertain) {
+TEST(RecordedMotions, ARedCellWhoseDMinDecreasesWithEachHalfTurnIsNotCertain) {
   for (const char* name : {"biconcave_V8_Ca0.9", "biconcave_V8_Ca1"})
     for (double end = 4; end <= 60; ++end)
       EXPECT_FALSE(verdict_at(recorded(name), end).certain) << name << ' ' << end;
@@ -78,23 +78,23 @@ TEST(RecordedMotions, ACapsuleThatTumblesSevenTimesBeforeItTankTreadsIsNotCertai
   EXPECT_EQ(early_end(samples), std::nullopt);
 }
 
-TEST(RecordedMotions, ARedCellThatKeepsItsDistanceFromRoundIsCertain) {
+TEST(RecordedMotions, ARedCellWithALargeDMinIsCertain) {
   const auto verdict = early_end(recorded("biconcave_V4_Ca0.25"));
   ASSERT_TRUE(verdict);
   EXPECT_EQ(verdict->motion, Motion::tumbling);
   EXPECT_LT(verdict->evidence.turns, 2.5);
 }
 
-TEST(RecordedMotions, WhatIsNearAThresholdHasASmallMargin) {
+TEST(RecordedMotions, RunsNearAThresholdHaveASmallMargin) {
   EXPECT_LT(verdict_at(recorded("biconcave_V2_Ca0.2"), 30).evidence.margin, 0.1);  // D_min .058
   EXPECT_LT(verdict_at(recorded("biconcave_V6_Ca0.9"), 24).evidence.margin, 0.1);  // tumbles, then D_min .011
   EXPECT_LT(verdict_at(recorded("biconcave_V6_Ca0.9"), 90).evidence.margin, 0.1);  // after both kinds
   EXPECT_LT(verdict_at(recorded("sphere_V100_Ca0.4"), 16).evidence.margin,
-            0.34);  // one half-turn, to settle yet
+            0.34);  // only one half-turn: not settled
   EXPECT_GT(verdict_at(recorded("biconcave_V4_Ca0.25"), 30).evidence.margin, 0.8);
 }
 
-TEST(RecordedMotions, ASteadySphereIsSeenAndSaid) {
+TEST(RecordedMotions, ASteadySphereIsSteadyAndItsExplanationSaysSo) {
   const auto verdict = early_end(recorded("sphere_V1_Ca0.2"));
   ASSERT_TRUE(verdict);
   EXPECT_TRUE(verdict->steady);

@@ -8,41 +8,42 @@ namespace {
 
 const SurfaceQuality kSmooth{18, 0, 30}, kWrinkled{88, 0.027, 20}, kCrumpled{178, 0.08, 6};
 
-TEST(SurfaceWatch, ASmoothSurfaceHasNothingToSay) {
+TEST(SurfaceWatch, ASmoothSurfaceIsNeitherFoldedNorLost) {
   SurfaceWatch watch;
-  for (int step = 0; step < 10; ++step) watch.look(0.1 * step, kSmooth);
+  for (int step = 0; step < 10; ++step) watch.add(0.1 * step, kSmooth);
   EXPECT_FALSE(watch.folded_from());
   EXPECT_FALSE(watch.lost_from());
 }
 
-TEST(SurfaceWatch, KeepsTheWorstAndWhenItBegan) {
+TEST(SurfaceWatch, KeepsTheWorstQualityAndTheTimesOfTheFirstFoldAndLoss) {
   SurfaceWatch watch;
-  watch.look(0, kSmooth);
-  watch.look(1, kWrinkled);
-  watch.look(2, kSmooth);
-  watch.look(3, kCrumpled);
-  watch.look(4, kSmooth);
+  watch.add(0, kSmooth);
+  watch.add(1, kWrinkled);
+  watch.add(2, kSmooth);
+  watch.add(3, kCrumpled);
+  watch.add(4, kSmooth);
   EXPECT_EQ(watch.worst(), kCrumpled);
   EXPECT_EQ(watch.folded_from(), 1);
   EXPECT_EQ(watch.lost_from(), 3);
-  EXPECT_THAT(watch.in_words(), ::testing::HasSubstr("up to 178 degrees, 8 % of the edges at more than 60"));
+  EXPECT_THAT(watch.description(),
+              ::testing::HasSubstr("up to 178 degrees, 8 % of the edges at more than 60"));
 }
 
-TEST(SurfaceWatch, WrinklesThatComeAndGoLoseNothing) {
+TEST(SurfaceWatch, TemporaryWrinklesDoNotLoseTheSurface) {
   SurfaceWatch watch;
-  for (int step = 0; step < 10; ++step) watch.look(0.1 * step, step % 2 ? kWrinkled : kSmooth);
+  for (int step = 0; step < 10; ++step) watch.add(0.1 * step, step % 2 ? kWrinkled : kSmooth);
   EXPECT_TRUE(watch.folded_from());
   EXPECT_FALSE(watch.lost_from());
 }
 
-TEST(SurfaceWatch, ALostSurfaceTakesTheLabelAndKeepsTheEvidence) {
+TEST(SurfaceWatch, ALostSurfaceRemovesTheLabelAndKeepsTheEvidence) {
   SurfaceWatch watch;
-  watch.look(7.5, kCrumpled);
+  watch.add(7.5, kCrumpled);
   Verdict verdict{
       .motion = Motion::tank_treading, .evidence = {}, .certain = true, .steady = true, .explanation = {}};
   verdict.evidence.turns = 2.9;
   verdict.evidence.margin = 0.9;
-  const Verdict withdrawn = judged_on(watch, verdict);
+  const Verdict withdrawn = limited_by_surface(verdict, watch);
   EXPECT_EQ(withdrawn.motion, Motion::undecided);
   EXPECT_EQ(withdrawn.evidence.turns, 2.9);
   EXPECT_EQ(withdrawn.evidence.margin, 0);
@@ -51,15 +52,15 @@ TEST(SurfaceWatch, ALostSurfaceTakesTheLabelAndKeepsTheEvidence) {
   EXPECT_THAT(withdrawn.explanation, ::testing::HasSubstr("From kt = 7.5 on the mesh cannot represent"));
 }
 
-TEST(SurfaceWatch, FoldedEdgesMakeALabelDoubtful) {
+TEST(SurfaceWatch, FoldedEdgesLowerTheMargin) {
   Verdict verdict;
   verdict.motion = Motion::tumbling;
   verdict.evidence.margin = 0.8;
   const auto margin_at = [&](double dihedral) {
     SurfaceWatch watch;
-    watch.look(1, {dihedral, dihedral > kFoldedEdge ? 0.01 : 0, 30});
-    EXPECT_EQ(judged_on(watch, verdict).motion, Motion::tumbling);
-    return judged_on(watch, verdict).evidence.margin;
+    watch.add(1, {dihedral, dihedral > kFoldedEdge ? 0.01 : 0, 30});
+    EXPECT_EQ(limited_by_surface(verdict, watch).motion, Motion::tumbling);
+    return limited_by_surface(verdict, watch).evidence.margin;
   };
   EXPECT_EQ(margin_at(18), 0.8);
   EXPECT_EQ(margin_at(60), 0.8);
@@ -67,9 +68,9 @@ TEST(SurfaceWatch, FoldedEdgesMakeALabelDoubtful) {
   EXPECT_NEAR(margin_at(135), 0, 1e-12);
 }
 
-TEST(SurfaceWatch, GoesOnFromACheckpoint) {
+TEST(SurfaceWatch, IsRestoredFromACheckpoint) {
   SurfaceWatch watch, resumed;
-  watch.look(1, kWrinkled);
+  watch.add(1, kWrinkled);
   EXPECT_FALSE(watch.is_due(1.1));
   StateArchive archive;
   watch.save(archive);

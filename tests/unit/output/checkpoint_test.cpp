@@ -53,12 +53,12 @@ class Checkpoint : public testing::Test {
   std::vector<std::string> reasons_;
 };
 
-TEST_F(Checkpoint, IsAbsentFromAnEmptyDirectoryWithoutComplaint) {
+TEST_F(Checkpoint, IsAbsentFromAnEmptyDirectoryWithoutAMessage) {
   EXPECT_FALSE(read());
   EXPECT_THAT(reasons_, IsEmpty());
 }
 
-TEST_F(Checkpoint, ComesBackToTheLastBit) {
+TEST_F(Checkpoint, IsReadBackToTheLastBit) {
   using limits = std::numeric_limits<double>;
   const std::vector<double> odd = {std::bit_cast<double>(0x7ff8'0000'dead'beefULL),
                                    limits::signaling_NaN(),
@@ -144,7 +144,7 @@ TEST_F(Checkpoint, KilledWhileWritingLeavesBothOldOnesAndDoesNotHinderTheNext) {
   EXPECT_FALSE(fs::exists(directory_.path() / "checkpoint-a.h5.partial"));
 }
 
-/// The largest file the process may write, for as long as this lives: a full disk without a disk.
+/// Limits the size of files of this process during its lifetime, which acts like a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {

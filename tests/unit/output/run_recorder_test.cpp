@@ -1,4 +1,4 @@
-// What a run leaves in its directory while it lasts, when it is killed, and when it breaks down.
+// The files of a run: while it runs, after it was killed, and after it broke down.
 #include "solver/output/run_recorder.hpp"
 
 #include <gmock/gmock.h>
@@ -35,7 +35,7 @@ class Mortal : public RunRecorder {
 
   void record(const Record& now) override {
     RunRecorder::record(now);
-    if (now.kt >= killed_at_) throw Killed();
+    if (now["kt"] >= killed_at_) throw Killed();
   }
 
   void shape(double kt, int frame, const Points& positions, const Points& velocities,
@@ -54,7 +54,7 @@ class Mortal : public RunRecorder {
 
 class RunFiles : public ::testing::Test {
  protected:
-  /// One process; by its clock a step takes `step_seconds`. Returns the kt where it began.
+  /// Runs one process in which a step takes `step_seconds`. Returns the kt at which it started.
   double run(const Case& c, double killed_at = 1e9) {
     const auto after_a_step = [this] {
       seconds_ += step_seconds_;
@@ -100,7 +100,7 @@ Case red_cell(double kt) {
   return c;
 }
 
-TEST_F(RunFiles, KilledAtTwoThirdsOfARunByBoundaryIntegralsItGoesOnNearThere) {
+TEST_F(RunFiles, OfAStokesRunKilledAtTwoThirdsLetItResumeNearThere) {
   const Case c = red_cell(30);
   EXPECT_EQ(run(c, 20), 0);
   EXPECT_GT(run(c), 17.5);
@@ -110,7 +110,7 @@ TEST_F(RunFiles, KilledAtTwoThirdsOfARunByBoundaryIntegralsItGoesOnNearThere) {
   EXPECT_EQ(times_in_index(), undisturbed.shape_times());
 }
 
-TEST_F(RunFiles, CheckpointsByTimeAreSoFarApartAsATenthOfTheRunAndHalfAMinuteAtTheMost) {
+TEST_F(RunFiles, CheckpointsAreATenthOfTheRunApartAndAtMostHalfAMinute) {
   Case c = red_cell(1);
   RunRecorder recorder(
       directory_.path(), c, {}, [] { return false; }, [this] { return seconds_; });
@@ -125,7 +125,7 @@ TEST_F(RunFiles, CheckpointsByTimeAreSoFarApartAsATenthOfTheRunAndHalfAMinuteAtT
     EXPECT_NEAR(written[n] - written[n - 1], std::clamp(0.1 * written[n], 0.2, 30.0), 0.15) << written[n];
 }
 
-TEST_F(RunFiles, CheckpointsAfterSoManyStepsComeAsWell) {
+TEST_F(RunFiles, CheckpointsAfterANumberOfStepsAreWrittenToo) {
   Case c = red_cell(1);
   c.outputs.checkpoint_every = 7;
   RunRecorder recorder(
@@ -139,12 +139,10 @@ TEST_F(RunFiles, IndexFollowsTheShapesOfASlowRun) {
   EXPECT_THAT(times_in_index(), ElementsAre(0, 0.5, 1, 1.5));
 }
 
-TEST_F(RunFiles, IndexOfManyShapesIsWrittenNowAndThenAndAtTheEnd) {
+TEST_F(RunFiles, IndexOfManyShapesIsWrittenSeldomAndAtTheEnd) {
   Case c = red_cell(2);
   c.outputs.shapes_every = 0.01;
-  const auto clock = [this] {
-    return seconds_ += 0.01;
-  };  // by which writing an index takes as long as a step
+  const auto clock = [this] { return seconds_ += 0.01; };  // writing an index takes as long as a step
   Mortal recorder(
       directory_.path(), c, [] { return false; }, clock, 1e9);
   Simulation simulation(c);
@@ -154,7 +152,7 @@ TEST_F(RunFiles, IndexOfManyShapesIsWrittenNowAndThenAndAtTheEnd) {
   EXPECT_THAT(times_in_index(), SizeIs(201));
 }
 
-TEST_F(RunFiles, ThatBreaksDownItShowsItsLastSoundStateAndWhatCameOfIt) {
+TEST_F(RunFiles, OfARunThatBreaksDownHoldItsLastValidStateAndTheInvalidOne) {
   Case c = testing::parsed_case(
       R"({"shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.05, "fluid": "quasisteady",
     "until": {"kt": 20}, "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.2}})");
@@ -164,8 +162,8 @@ TEST_F(RunFiles, ThatBreaksDownItShowsItsLastSoundStateAndWhatCameOfIt) {
   const auto result = nlohmann::json::parse(file_bytes(directory_.path() / "result.json"));
   EXPECT_EQ(result["stop"], "diverged");
   EXPECT_DOUBLE_EQ(times.back() - times[times.size() - 2], 0.2);
-  EXPECT_EQ(history().back().kt, times[times.size() - 2]);
-  EXPECT_EQ(result["final"]["kt"], history().back().kt);
+  EXPECT_EQ(history().back()["kt"], times[times.size() - 2]);
+  EXPECT_EQ(result["final"]["kt"], history().back()["kt"]);
 }
 
 }  // namespace

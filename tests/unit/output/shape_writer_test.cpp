@@ -18,7 +18,7 @@ using testing::ElementsAre;
 
 class Shapes : public testing::Test {
  protected:
-  /// One life of the process that writes; a sphere of radius 1 + kt, kt = 0.1 frame.
+  /// Writes frames as one process: spheres of radius 1 + kt, kt = 0.1 frame.
   void write_frames(int first, int last) {
     ShapeWriter writer(directory_.path(), sphere_.mesh.faces);
     for (int frame = first; frame <= last; ++frame) {
@@ -45,7 +45,7 @@ class Shapes : public testing::Test {
   Icosphere sphere_ = make_icosphere(1);
 };
 
-TEST_F(Shapes, AreReadBackAsRowsOfThreeNumbersAVertex) {
+TEST_F(Shapes, AreReadBackAsOneRowOfThreeNumbersForEachVertex) {
   write_frames(0, 2);
   const auto positions = Hdf5Reader(directory_.path() / "shapes/0002.h5").read("positions");
   const Points expected = (1 + 0.1 * 2) * sphere_.directions;
@@ -69,14 +69,14 @@ TEST_F(Shapes, AreListedOnlyIfTheirFilesAreThere) {
 TEST_F(Shapes, OfAResumedRunEqualThoseOfAnUninterruptedOne) {
   write_frames(0, 5);
   const std::string index_before = index(), frame_before = file_bytes(directory_.path() / "shapes/0003.h5");
-  write_frames(3, 4);  // the checkpoint was older than the last frames, and the second life was short, too
+  write_frames(3, 4);  // resumed before the last frames, and killed again soon
   EXPECT_THAT(times_in_index(), ElementsAre("0", "0.1", "0.2", "0.30000000000000004", "0.4"));
   write_frames(5, 5);
   EXPECT_EQ(index(), index_before);
   EXPECT_EQ(file_bytes(directory_.path() / "shapes/0003.h5"), frame_before);
 }
 
-TEST_F(Shapes, GoOnWithoutTheFramesThatAUserRemoved) {
+TEST_F(Shapes, AreIndexedWithoutTheFramesThatAUserRemoved) {
   write_frames(0, 2);
   fs::remove(directory_.path() / "shapes/0001.h5");
   write_frames(3, 3);

@@ -5,7 +5,7 @@
 namespace capstan {
 namespace {
 
-TEST(ShareOfTime, WorkIsDueAfterTheIntervalAndFiftyTimesWhatItTookTheLastTime) {
+TEST(ShareOfTime, WorkIsDueAfterTheIntervalAndFiftyTimesItsLastDuration) {
   ShareOfTime work;
   EXPECT_FALSE(work.is_due(0.1, 0.2));
   EXPECT_TRUE(work.is_due(0.2, 0.2));
@@ -15,7 +15,7 @@ TEST(ShareOfTime, WorkIsDueAfterTheIntervalAndFiftyTimesWhatItTookTheLastTime) {
   EXPECT_FALSE(work.is_due(29, 30));
 }
 
-TEST(ShareOfTime, WorkThatIsDoneWheneverItIsDueTakesTwoPercentAtMost) {
+TEST(ShareOfTime, WorkDoneWheneverItIsDueTakesAtMostTwoPercent) {
   ShareOfTime work;
   double now = 0, spent = 0;
   for (int step = 0; step < 10000; ++step, now += 0.01) {

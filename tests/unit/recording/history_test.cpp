@@ -10,13 +10,19 @@
 namespace capstan {
 namespace {
 
+Record record_at(double kt) {
+  Record record;
+  record["kt"] = kt;
+  return record;
+}
+
 class HistoryTest : public testing::Test {
  protected:
   /// Records at kt = 1, 2 ..
   void store(int count) {
     database_.execute("INSERT INTO cases (id, document) VALUES ('a', '{}')");
     for (int kt = 1; kt <= count; ++kt)
-      store_history(database_, "a", static_cast<std::size_t>(kt - 1), {{static_cast<double>(kt)}});
+      store_history(database_, "a", static_cast<std::size_t>(kt - 1), {record_at(kt)});
   }
   void append(const std::string& text) { std::ofstream(file_, std::ios::app) << text; }
 
@@ -38,17 +44,17 @@ TEST_F(HistoryTest, RecordsComeOnceAsTheyAreAppended) {
   append("{\"kt\":0.1,\"D_xy\":0.5}\n{\"kt\":0.2}\n");
   const auto first = tail_.read_new();
   ASSERT_EQ(first.size(), 2u);
-  EXPECT_EQ(first[0][1], 0.5);
+  EXPECT_EQ(first[0]["D_xy"], 0.5);
   EXPECT_TRUE(tail_.read_new().empty());
   append("{\"kt\":0.3}\n");
-  EXPECT_EQ(tail_.read_new().at(0)[0], 0.3);
+  EXPECT_EQ(tail_.read_new().at(0)["kt"], 0.3);
   EXPECT_EQ(tail_.size(), 3u);
 }
 
 TEST_F(HistoryTest, WhatIsNoNumberIsNaN) {
   append("{\"kt\":1,\"theta\":null,\"psi\":\"x\"}\n");
-  const HistoryRecord record = tail_.read_new().at(0);
-  EXPECT_TRUE(std::isnan(record[1]) && std::isnan(record[2]) && std::isnan(record[3]));
+  const Record record = tail_.read_new().at(0);
+  EXPECT_TRUE(std::isnan(record["D_xy"]) && std::isnan(record["theta"]) && std::isnan(record["psi"]));
 }
 
 TEST_F(HistoryTest, FileCutAtAnyByteGivesItsWholeLines) {
@@ -64,13 +70,13 @@ TEST_F(HistoryTest, LineThatIsFinishedLaterIsReadThen) {
   append("{\"kt\":0.1}\n{\"kt\"");
   EXPECT_EQ(tail_.read_new().size(), 1u);
   append(":0.2}\n");
-  EXPECT_EQ(tail_.read_new().at(0)[0], 0.2);
+  EXPECT_EQ(tail_.read_new().at(0)["kt"], 0.2);
 }
 
 TEST_F(HistoryTest, StoredRecordsReplaceWhatStoodThere) {
   database_.execute("INSERT INTO cases (id, document) VALUES ('a', '{}')");
-  store_history(database_, "a", 0, {{1}, {2}, {3}});
-  store_history(database_, "a", 1, {{20}});
+  store_history(database_, "a", 0, {record_at(1), record_at(2), record_at(3)});
+  store_history(database_, "a", 1, {record_at(20)});
   EXPECT_EQ(stored_times(), (std::vector<double>{1, 20, 3}));
 }
 
@@ -83,10 +89,10 @@ TEST_F(HistoryTest, FileReplacesWhatStoodThere) {
 
 TEST_F(HistoryTest, FileThatIsMissingOrCannotBeReadLeavesWhatStoodThere) {
   store(3);
-  EXPECT_EQ(read_history(file_).fault, "is missing");
+  EXPECT_EQ(read_history(file_).damage, "is missing");
   store_history_file(database_, "a", read_history(file_));
   std::filesystem::create_directory(file_);
-  EXPECT_EQ(read_history(file_).fault, "cannot be read: Is a directory");
+  EXPECT_EQ(read_history(file_).damage, "cannot be read: Is a directory");
   store_history_file(database_, "a", read_history(file_));
   EXPECT_EQ(stored_times(), (std::vector<double>{1, 2, 3}));
 }
@@ -94,7 +100,7 @@ TEST_F(HistoryTest, FileThatIsMissingOrCannotBeReadLeavesWhatStoodThere) {
 TEST_F(HistoryTest, DamagedFileReplacesWhatItCanAndLeavesTheRest) {
   store(3);
   append("{\"kt\":10}\nrubbish\n{\"kt\":30}\n");
-  EXPECT_EQ(read_history(file_).fault, "is damaged in line 2");
+  EXPECT_EQ(read_history(file_).damage, "is damaged in line 2");
   store_history_file(database_, "a", read_history(file_));
   EXPECT_EQ(stored_times(), (std::vector<double>{10, 2, 3}));
 }
@@ -103,9 +109,9 @@ TEST_F(HistoryTest, LinesOfStoredRecordsAreReadAsTheSame) {
   store(2);
   append(history_lines(stored_history(database_, "a")));
   const HistoryFile again = read_history(file_);
-  EXPECT_EQ(again.fault, "");
+  EXPECT_EQ(again.damage, "");
   ASSERT_EQ(again.records.size(), 2u);
-  EXPECT_EQ(again.records[1][0], 2);
+  EXPECT_EQ(again.records[1]["kt"], 2);
 }
 
 }  // namespace

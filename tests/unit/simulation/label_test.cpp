@@ -22,17 +22,17 @@ Ended run(const std::string& parameters, const std::string& until, const std::st
                                              R"(, "fidelity": {"nodes": 162}})"));
   testing::MemoryOutput output;
   const Stop stop = simulation.run(output).stop;
-  return {stop, simulation.kt(), output.records.back().kt, simulation.verdict()};
+  return {stop, simulation.kt(), output.records.back()["kt"], simulation.verdict()};
 }
 
-TEST(EarlyEnd, ASteadySphereEndsSteadyAndTankTreads) {
+TEST(EarlyEnd, ASteadySphereStopsAsSteadyAndTankTreads) {
   const Ended sphere = run(R"("Ca": 0.05)", R"({"kt": 30, "classified": true})");
   EXPECT_EQ(sphere.stop, Stop::steady);
   EXPECT_LT(sphere.kt, 9);
   EXPECT_EQ(sphere.verdict.motion, Motion::tank_treading);
 }
 
-TEST(EarlyEnd, DoesNotDependOnWhatIsRecordedAndIsRecorded) {
+TEST(EarlyEnd, IsRecordedAndDoesNotDependOnTheOutputs) {
   const std::string until = R"({"kt": 30, "classified": true})";
   const Ended often = run(R"("Ca": 0.05)", until, R"({"history_every": 0.1})");
   const Ended seldom = run(R"("Ca": 0.05)", until, R"({"history_every": 1})");
@@ -42,7 +42,7 @@ TEST(EarlyEnd, DoesNotDependOnWhatIsRecordedAndIsRecorded) {
   EXPECT_EQ(seldom.last_recorded_kt, seldom.kt);
 }
 
-TEST(EarlyEnd, ASteadySphereRunsToItsEndWhereNoEarlyEndIsAllowed) {
+TEST(EarlyEnd, ASteadySphereRunsToItsEndWithoutUntilClassified) {
   const Ended sphere = run(R"("Ca": 0.05)", R"({"kt": 10})");
   EXPECT_EQ(sphere.stop, Stop::reached_end);
   EXPECT_DOUBLE_EQ(sphere.kt, 10);
@@ -56,16 +56,16 @@ TEST(EarlyEnd, ATumblingSpheroidEndsClassified) {
   EXPECT_EQ(early.verdict.motion, Motion::tumbling);
 }
 
-TEST(Label, OfASphereThatIsThickInsideIsTankTreadingThoughItSwingsNearRoundAtFirst) {
+TEST(Label, OfASphereWithAViscousInteriorIsTankTreading) {
   EXPECT_EQ(run(R"("Ca": 0.1, "V": 20)", R"({"kt": 28})").verdict.motion, Motion::tank_treading);
 }
 
-TEST(Label, OfANearlyRoundProlateIsTankTreading) {
+TEST(Label, OfANearlySphericalProlateIsTankTreading) {
   const Ended prolate = run(R"("shape": "prolate", "aspect": 1.07, "Ca": 0.0094)", R"({"kt": 25})");
   EXPECT_EQ(prolate.verdict.motion, Motion::tank_treading);
 }
 
-TEST(Label, AndItsEvidenceDoNotDependOnWhatIsRecorded) {
+TEST(Label, AndItsEvidenceDoNotDependOnTheOutputs) {
   const std::string cell =
       R"("shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.25, "V": 4)";
   const Evidence often = run(cell, R"({"kt": 17})", R"({"history_every": 0.1})").verdict.evidence;
@@ -77,7 +77,7 @@ TEST(Label, AndItsEvidenceDoNotDependOnWhatIsRecorded) {
   }
 }
 
-TEST(Label, OfARunTooShortSaysSo) {
+TEST(Label, OfARunThatIsTooShortIsUndecidedAndSaysSo) {
   const Verdict verdict = run(R"("Ca": 0.05)", R"({"kt": 4})").verdict;
   EXPECT_EQ(verdict.motion, Motion::undecided);
   EXPECT_NE(verdict.explanation.find("half-turns were seen from kt = 3 on, at least 1 is needed"),

@@ -15,7 +15,7 @@ MembraneState cubic_motion(double kt) {
   return state;
 }
 
-TEST(MembraneState, BetweenTwoStepsIsExactForACubicMotion) {
+TEST(MembraneState, BetweenTwoStepsIsExactForCubicMotion) {
   const MembraneState a = cubic_motion(0.3), b = cubic_motion(0.7);
   for (double kt : {0.3, 0.37, 0.5, 0.66, 0.7}) {
     const MembraneState found = between(a, b, kt), exact = cubic_motion(kt);

@@ -37,7 +37,7 @@ TEST(OutputTimes, AreTheDecimalsThatAUserWouldWrite) {
   }
 }
 
-TEST(OutputTimes, HaveTheEndOnceWhereRoundingPutsTheLastMultipleBesideIt) {
+TEST(OutputTimes, IncludeTheEndOnceIfRoundingErrorsSeparateItFromAMultiple) {
   for (int count : {3, 7, 49, 300, 1234567}) {
     for (double end : {0.3, 1.0, 30.0}) {
       const OutputTimes times(end / count, end);

@@ -1,4 +1,4 @@
-// A run that goes on from a checkpoint is the run that was never interrupted, to the last bit.
+// A run that is continued from a checkpoint equals the uninterrupted run to the last bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ void expect_equal(const RunStatistics& a, const RunStatistics& b) {
   EXPECT_EQ(a.area_drift, b.area_drift);
 }
 
-/// Resumes from every checkpoint of a run and compares what comes of it.
+/// Continues the run from each of its checkpoints and compares with the uninterrupted run.
 void expect_resumed_equals_uninterrupted(const Case& c) {
   MemoryOutput whole;
   whole.checkpoint_every = c.outputs.checkpoint_every;
@@ -42,47 +42,47 @@ void expect_resumed_equals_uninterrupted(const Case& c) {
   }
 }
 
-TEST(Resume, QuasisteadySphereGoesOnToTheLastBit) {
+TEST(Resume, QuasisteadySphereEqualsTheUninterruptedRun) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 1},
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})"));
 }
 
-TEST(Resume, BiconcaveCapsuleWithBendingAndViscosityContrastGoesOnToTheLastBit) {
+TEST(Resume, BiconcaveCapsuleWithBendingAndViscosityRatioEqualsTheUninterruptedRun) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4,
     "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 1},
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})"));
 }
 
-TEST(Resume, TransientFlowGoesOnToTheLastBit) {
+TEST(Resume, TransientFlowEqualsTheUninterruptedRun) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "Ca": 0.1, "V": 2, "fluid": "transient", "until": {"kt": 0.05},
     "outputs": {"history_every": 0.01, "shapes_every": 0.013, "checkpoint_every": 50},
     "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162}})"));
 }
 
-TEST(Resume, TransientFlowInDoublePrecisionGoesOnToTheLastBit) {
+TEST(Resume, TransientFlowInDoublePrecisionEqualsTheUninterruptedRun) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "Ca": 0.1, "V": 2, "fluid": "transient", "until": {"kt": 0.05},
     "outputs": {"history_every": 0.01, "shapes_every": 0.013, "checkpoint_every": 51},
     "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162, "precision": "double"}})"));
 }
 
-TEST(Resume, StokesFlowWithStepsAfterTheirErrorGoesOnToTheLastBit) {
+TEST(Resume, StokesFlowWithErrorControlledStepsEqualsTheUninterruptedRun) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "V": 4, "Ca": 0.4, "fluid": "stokes",
     "until": {"kt": 2.5}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 1}, "fidelity": {"nodes": 162}})"));
 }
 
-// The tolerance is met by a single cycle here, so that a start that is not the interrupted one would show.
-TEST(Resume, PapersSchemeGoesOnToTheLastBit) {
+// A single cycle meets the tolerance here, so a wrong initial flow after the restart would change the result.
+TEST(Resume, PapersSchemeEqualsTheUninterruptedRun) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "Ca": 0.1, "until": {"kt": 0.8}, "outputs": {"shapes_every": 0.15, "checkpoint_every": 1},
     "fidelity": {"preset": "paper", "dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.08, "tolerance": 0.01}})"));
 }
 
-TEST(Resume, ARunThatEndsEarlyEndsAtTheSameTimeWithTheSameEvidence) {
+TEST(Resume, AnEarlyEndHasTheSameTimeAndEvidence) {
   const Case c = parsed_case(R"({"Ca": 0.05, "fluid": "stokes", "until": {"kt": 30, "classified": true},
     "fidelity": {"nodes": 162}})");
   MemoryOutput whole;
@@ -100,7 +100,7 @@ TEST(Resume, ARunThatEndsEarlyEndsAtTheSameTimeWithTheSameEvidence) {
   }
 }
 
-TEST(Resume, InterruptionLeavesACheckpointOfThatVeryStep) {
+TEST(Resume, AnInterruptionWritesACheckpointOfItsStep) {
   const Case c = parsed_case(R"({"Ca": 0.1, "until": {"kt": 0.4}, "outputs": {"checkpoint_every": 100},
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})");
   MemoryOutput stopped;

@@ -49,7 +49,7 @@ TEST(RungeKuttaChebyshev, ToleranceBoundsTheErrorOfAStiffProblem) {
   }
 }
 
-TEST(RungeKuttaChebyshev, SpendsFlowsWithTheRootOfTheStiffness) {
+TEST(RungeKuttaChebyshev, NeedsFlowSolutionsInProportionToTheRootOfTheStiffness) {
   const auto flows = [](double rate) {
     int calls = 0;
     run(
@@ -65,7 +65,7 @@ TEST(RungeKuttaChebyshev, SpendsFlowsWithTheRootOfTheStiffness) {
   EXPECT_LT(flows(16000), 6 * flows(1000));  // explicit Euler would need 16 times as many
 }
 
-TEST(RungeKuttaChebyshev, FindsTheFastestDecay) {
+TEST(RungeKuttaChebyshev, EstimatesTheFastestDecayRate) {
   const VelocityField field = circle_and_decay(300);
   RungeKuttaChebyshev stepper;
   Points x(3, 1), u(3, 1);
@@ -75,7 +75,7 @@ TEST(RungeKuttaChebyshev, FindsTheFastestDecay) {
   EXPECT_NEAR(stepper.spectral_radius(), 1.2 * 300, 0.1 * 300);
 }
 
-TEST(RungeKuttaChebyshev, AFlowThatIsLostIsTriedAgainWithASmallerStep) {
+TEST(RungeKuttaChebyshev, AFailedFlowSolutionIsRepeatedWithASmallerStep) {
   const VelocityField well = circle_and_decay(1);
   int lost = 0;
   const VelocityField field = [&](double kt, const Points& x, Points& u) {
@@ -86,7 +86,7 @@ TEST(RungeKuttaChebyshev, AFlowThatIsLostIsTriedAgainWithASmallerStep) {
   EXPECT_LT((x.col(0) - exact(0.1)).norm(), 1e-3);
 }
 
-TEST(RungeKuttaChebyshev, AFlowThatIsLostForGoodEndsWithItsReason) {
+TEST(RungeKuttaChebyshev, AFlowThatAlwaysFailsStopsTheRunWithItsReason) {
   const VelocityField lost = [](double, const Points&, Points&) { return lost_flow("no flow at all"); };
   RungeKuttaChebyshev stepper;
   Points x = Points::Zero(3, 1);
@@ -95,7 +95,7 @@ TEST(RungeKuttaChebyshev, AFlowThatIsLostForGoodEndsWithItsReason) {
   EXPECT_EQ(report.reason, "no flow at all");
 }
 
-TEST(RungeKuttaChebyshev, GivesUpWhereTheMembraneHasBecomeFarStifferThanAtItsStart) {
+TEST(RungeKuttaChebyshev, StopsIfTheMembraneBecomesFarStifferThanAtItsStart) {
   const VelocityField field = [](double kt, const Points& x, Points& u) {
     return circle_and_decay(std::pow(10, 1 + 8 * kt))(kt, x, u);
   };

@@ -32,7 +32,7 @@ TEST(AdamsBashforth2, IsExactForAConstantVelocity) {
   EXPECT_EQ(x, Points::Constant(3, 2, 1));
 }
 
-TEST(AdamsBashforth2, ShortensItsLastStepToEndWhereItShall) {
+TEST(AdamsBashforth2, ShortensItsLastStepToTheEndOfTheRun) {
   Points x = Points::Zero(3, 1);
   const Points u = Points::Ones(3, 1);
   AdamsBashforth2 stepper(0.4);

@@ -1,4 +1,5 @@
-// What a case's scene requires of the solver, and what it does not.
+#include "solver/simulation/plan.hpp"
+
 #include "solver/case/units.hpp"
 #include "solver/fluid/paper/paper_flow.hpp"
 #include "solver/fluid/quasisteady/quasisteady_flow.hpp"
@@ -6,7 +7,6 @@
 #include "solver/fluid/transient/transient_flow.hpp"
 #include "solver/mesh/geometry.hpp"
 #include "solver/simulation/runge_kutta_chebyshev.hpp"
-#include "solver/simulation/simulation.hpp"
 
 namespace capstan {
 
@@ -75,24 +75,6 @@ std::vector<std::string> left_out(const Case& c) {
     parts.push_back("walls: the fluid is unbounded");
   }
   return parts;
-}
-
-std::string_view to_string(Stop stop) {
-  switch (stop) {
-    case Stop::reached_end:
-      return "reached_end";
-    case Stop::classified:
-      return "classified";
-    case Stop::steady:
-      return "steady";
-    case Stop::diverged:
-      return "diverged";
-    case Stop::not_converged:
-      return "not_converged";
-    case Stop::interrupted:
-      break;
-  }
-  return "interrupted";
 }
 
 }  // namespace capstan

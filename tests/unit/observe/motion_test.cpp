@@ -1,4 +1,4 @@
-#include "solver/run_directory/motion.hpp"
+#include "solver/observe/motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,30 @@
+#pragma once
+// Which parts of the physics a case requires, and the numerical models for them.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/case/case.hpp"
+#include "solver/fluid/flow_model.hpp"
+#include "solver/mesh/in_plane_symmetry.hpp"
+#include "solver/simulation/time_step.hpp"
+
+namespace capstan {
+
+/// The symmetry of the start that the whole run keeps to the last bit, because flow model and membrane use
+/// it. None where the case excludes it. \param initial 3 x #V, the positions at the start
+Orbits symmetry_of(const Case& c, const Points& initial);
+
+/// The flow model of the case.
+/// \param initial 3 x #V, the positions at the start   \param orbits the symmetry of these positions
+std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, const Points& initial,
+                                     const Orbits& orbits);
+
+/// \param imposed_kdt  the time step k dt of the flow model, if it imposes one
+std::unique_ptr<TimeStepper> make_stepper(const Case& c, std::optional<double> imposed_kdt);
+
+/// The parts of the physics that are not computed because this case does not require them, one phrase each.
+std::vector<std::string> left_out(const Case& c);
+
+}  // namespace capstan
