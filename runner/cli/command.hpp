@@ -14,7 +14,7 @@ struct Command {
   std::string name;
   std::string summary;  ///< one line, for the list of commands
   /// Adds the options to the command's parser. Returns the function to call once the command line is parsed;
-  /// it runs the command and returns the exit code.
+  /// it runs the command and returns the exit code. It owns the arguments, so keep it until then.
   std::function<std::function<int()>(CLI::App& parser)> declare = nullptr;
   std::vector<Command> subcommands = {};  ///< of a group, whose `declare` is empty
 };

@@ -13,6 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// The values of a point by the paths of their columns.
 using Row = std::map<std::string, ordered_json>;
 
 std::string item_text(const ordered_json& item) {
@@ -27,17 +28,17 @@ std::string list_text(const ordered_json& list) {
   return text;
 }
 
-/// "parameters.fidelity.nodes" is the column fidelity.nodes.
-std::string column_at(const std::string& group, const std::string& key) {
+/// The path of a column: parameters.fidelity.nodes in the JSON is the column fidelity.nodes.
+std::string path_in(const std::string& group, const std::string& key) {
   return group.empty() || group == "parameters" ? key : group + "." + key;
 }
 
 void add_values(const ordered_json& object, const std::string& group, Row& row) {
   for (const auto& [key, value] : object.items()) {
-    const std::string column = column_at(group, key);
+    const std::string column = path_in(group, key);
     if (value.is_array())
       row[column] = list_text(value);
-    else if (value.is_object() && group == "asked")  // the knobs of a fidelity, as they were written
+    else if (value.is_object() && group == "asked")  // a fidelity as the study has it
       row[column] = value.dump();
     else if (value.is_object())
       add_values(value, column, row);
@@ -58,24 +59,24 @@ bool is_parameter(const std::string& path) {
   return path.starts_with("until.") || path.starts_with("fidelity.") || path.starts_with("outputs.");
 }
 
-/// Of a path such as fidelity.nodes the last word; until.kt is named in full, because kt is how far a run is.
+/// The last part of the path. until.kt keeps its group, because kt is the time that a run has reached.
 std::string short_name(const std::string& path) {
   return path.starts_with("until.") || path.starts_with("outputs.") ? path : path.substr(path.find('.') + 1);
 }
 
-/// The solver's numerics, and how the runs ended: unknown before the end of a run.
+/// Columns without a value before the end of a run. That unfinished runs lack them is no variation.
 bool is_known_at_the_end(const std::string& path) {
   return path == "trust.numerics_version" || path == "stop";
 }
 
-/// Of words and of the unit 1 the value itself.
+/// Numbers divided by `unit`, other values unchanged.
 ordered_json in_unit(const ordered_json& value, double unit) {
   return value.is_number() && unit != 1 ? ordered_json(value.get<double>() / unit) : value;
 }
 
 using Names = std::initializer_list<std::string_view>;
 
-/// \param group  "fidelity.", say: the beginning of the paths of these columns
+/// \param group  start of the paths, such as "fidelity."
 void add_columns(std::vector<std::string>& columns, std::string_view group, Names names) {
   for (const std::string_view name : names) columns.push_back(std::string(group) + std::string(name));
 }
