@@ -20,7 +20,7 @@ PhaseAxis sorted_axis(PhaseAxis axis) {
   return axis;
 }
 
-/// "0, 0.005, 0.015"; of many values the first ones and how many there are.
+/// "0, 0.005, 0.015"; of more than kMaxNamed values the first ones and the number of all.
 std::string values_in_words(const std::vector<json>& values) {
   constexpr std::size_t kMaxNamed = 20;
   std::string words;
@@ -85,8 +85,8 @@ class AxisChoice {
     if (!diagram.at.emplace(name, axis->values[*place]).second) add_issue("at", name + " is fixed twice");
   }
 
-  /// The axis of that name; without a name the first free one that has more than one value, or else any free
-  /// one.
+  /// The axis called `name`. If that is "": the first free axis with several values, else the first free
+  /// axis.
   PhaseAxis chosen(const std::string& name, const std::string& taken, const PhaseDiagram& diagram) const {
     if (const PhaseAxis* axis = find(name)) return *axis;
     const auto is_free = [&](const PhaseAxis& axis) {
@@ -108,7 +108,7 @@ class AxisChoice {
   }
 
   std::vector<PhaseAxis> axes_;
-  std::set<std::string> is_mentioned_;  ///< axes that `at` names, also with a value that they do not have
+  std::set<std::string> is_mentioned_;  ///< axes named by `at`, also if the value is unknown
   Issues& issues_;
 };
 

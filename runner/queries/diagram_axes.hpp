@@ -7,8 +7,8 @@
 
 namespace capstan {
 
-/// A diagram with its axes and fixed values, without cells. What is wrong with the request is added to
-/// `issues`. \param study  as find_study returns it
+/// A diagram with its axes and fixed values, without cells. Appends the issues of the request to `issues`.
+/// \param study  as find_study returns it
 PhaseDiagram choose_axes(const nlohmann::ordered_json& study, const DiagramRequest& wanted, Issues& issues);
 
 /// \param given  {"parameter", "values"}
