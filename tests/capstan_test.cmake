@@ -13,16 +13,17 @@ endfunction()
 # All programs of tests with the label "unit": cmake --build --preset test --target unit_tests
 add_custom_target(unit_tests)
 
-# capstan_test(NAME LABEL LABEL [RUNS PROGRAM] LINKS LIBRARY... SOURCES FILE...)
-#   Adds a program with GoogleTest's main, and each of its tests to CTest, with the label.
+# capstan_test(NAME LABEL LABEL [PREFIX PREFIX] [RUNS PROGRAM] LINKS LIBRARY... SOURCES FILE...)
+#   Adds a program with GoogleTest's main, and each of its tests to CTest, with the label and the prefix before its
+#   name.
 function(capstan_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL;PREFIX" "")
   capstan_test_program(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE GTest::gmock_main)
   if(arg_LABEL STREQUAL "unit")
     add_dependencies(unit_tests ${name})
   endif()
   # NO_PRETTY_VALUES: the names of value-parameterised tests are those given in the sources.
-  gtest_discover_tests(${name} NO_PRETTY_VALUES PROPERTIES LABELS ${arg_LABEL}
+  gtest_discover_tests(${name} TEST_PREFIX "${arg_PREFIX}" NO_PRETTY_VALUES PROPERTIES LABELS ${arg_LABEL}
     ENVIRONMENT LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/support/lsan_suppressions.txt)
 endfunction()

@@ -25,7 +25,8 @@ insert_before(functions_text "#include \"solver/mesh/geometry.hpp\"" [[#include 
 ]])
 insert_before(functions_text "template <std::size_t... row>" [[template <>
 double measure<"lambda_max">(const Snapshot& now) {
-  const InPlaneElasticity membrane(now.mesh.faces, now.reference, make_strain_law(now.parameters), 1);
+  const Case& c = now.parameters;
+  const InPlaneElasticity membrane(now.mesh.faces, now.reference, *c.law, c.law_constants, 1);
   return membrane.stretches(now.positions).col(0).maxCoeff();
 }
 

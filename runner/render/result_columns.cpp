@@ -6,6 +6,7 @@
 #include "runner/study/axis.hpp"
 #include "runner/study/shown_value.hpp"
 #include "solver/case/choice.hpp"
+#include "solver/case/parameters.hpp"
 #include "solver/run_directory/history_line.hpp"
 
 namespace capstan {
@@ -86,14 +87,9 @@ std::vector<std::string> make_known_columns() {
   add_columns(all, "", {"id", "state", "motion", "message", "attempt"});
   add_columns(all, "", {"point", "same_as", "replaces", "crashes", "progress", "kt"});
   add_columns(all, "", {"stop", "explanation", "trust.warnings", "choices", "without_effect"});
-  const Names parameters = {"shape", "aspect", "law", "C", "Ca", "V", "Re", "E_b", "bending", "c0", "fluid"};
-  add_columns(all, "", parameters);
-  add_columns(all, "until.", {"kt", "classified"});
-  add_columns(all, "fidelity.", {"dx", "box", "nodes", "stepper", "kdt", "tolerance"});
-  add_columns(all, "fidelity.", {"scheme", "symmetry", "precision"});
-  add_columns(all, "outputs.", {"history_every", "shapes_every", "checkpoint_every"});
-  add_columns(all, "asked.", parameters);
-  add_columns(all, "asked.", {"fidelity"});
+  for (const Parameter& parameter : parameters())
+    add_columns(all, parameter.group.empty() ? "" : parameter.group + ".", {parameter.key});
+  for (const std::string_view parameter : axis_parameters()) add_columns(all, "asked.", {parameter});
   for (const Observable& observable : kObservables) add_columns(all, "final.", {observable.name});
   add_columns(all, "evidence.", {"n_theta", "n_psi", "r", "D_min", "turns", "theta_range", "margin"});
   add_columns(all, "cost.", {"seconds", "steps", "flow_iterations", "peak_memory_mb"});

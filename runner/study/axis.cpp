@@ -25,8 +25,8 @@ double rounded(double number, int digits) {
   return result;
 }
 
-/// Rounding to d digits moves a value by at most 0.5 * 10^(1-d) of itself; both neighbours together by less
-/// than a tenth of their distance.
+/// The digits at which rounding changes the distance of two neighbours by less than a tenth. Rounding to d
+/// digits changes a value by at most 0.5 * 10^(1-d) of itself.
 double digits_for(double relative_spacing) { return std::ceil(1 + std::log10(10 / relative_spacing)); }
 
 /// -0.0 is 0.
@@ -51,7 +51,7 @@ AxisList listed_once(const json& given) {
   return list;
 }
 
-/// Reads one range; its faults gather in `issues`.
+/// Reads one range and adds its issues to a list.
 class RangeReader {
  public:
   RangeReader(const json& object, std::string pointer, Issues& issues)
@@ -89,7 +89,7 @@ class RangeReader {
     const auto found = object_.find(key);
     const bool good = found != object_.end() && found->is_number() && std::isfinite(found->get<double>());
     require(good, key, found == object_.end() ? "is missing" : "must be a number");
-    return good ? found->get<double>() + 0.0 : 2;  // any value that brings no second fault
+    return good ? found->get<double>() + 0.0 : 2;  // any value that causes no second issue
   }
 
   void read_scale(AxisRange& range) {
@@ -151,10 +151,10 @@ std::optional<Axis> read_axis(const std::string& parameter, const json& given, I
   if (given.is_array() && !given.empty()) return Axis(parameter, listed_once(given));
   if (given.is_object()) {
     json corrected = given;
-    Issues faults = rename_mistyped_keys(corrected, {"from", "to", "count", "scale"}, pointer);
-    const AxisRange range = RangeReader(corrected, pointer, faults).read();
-    if (faults.empty()) return Axis(parameter, range);
-    issues.insert(issues.end(), faults.begin(), faults.end());
+    Issues found = rename_mistyped_keys(corrected, {"from", "to", "count", "scale"}, pointer);
+    const AxisRange range = RangeReader(corrected, pointer, found).read();
+    if (found.empty()) return Axis(parameter, range);
+    issues.insert(issues.end(), found.begin(), found.end());
   } else if (given.is_array()) {
     issues.push_back({pointer, "must have at least one value"});
   } else {

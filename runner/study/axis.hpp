@@ -1,5 +1,5 @@
 #pragma once
-// One axis of a study: the values that one parameter of a case takes in turn.
+// One axis of a study: the values of one parameter.
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -14,11 +14,11 @@ namespace capstan {
 struct AxisRange {
   double from = 0;
   double to = 0;
-  double count = 0;  ///< whole and at least 2, but not yet known to be small
+  double count = 0;  ///< a whole number >= 2; can be larger than any integer type
   bool logarithmic = false;
 
-  /// Between the ends rounded, so that a value can be typed in a filter: to six digits, or to as many as keep
-  /// the distance between neighbours to a tenth.
+  /// The value at an index. Values between the ends are rounded so that they can be typed in a filter: to six
+  /// digits, or to more where the rounding would exceed a tenth of the spacing.
   double value(std::size_t index) const;
 
   /// Distance between neighbours over the largest value.
@@ -28,8 +28,8 @@ struct AxisRange {
 /// The values of a list, each once.
 struct AxisList {
   std::vector<nlohmann::json> values;
-  std::vector<std::size_t> places;       ///< where each value stands first in the study's list
-  std::vector<nlohmann::json> repeated;  ///< the values that stand there more than once
+  std::vector<std::size_t> places;       ///< index of each value in the list of the study
+  std::vector<nlohmann::json> repeated;  ///< values that occur there more than once
 };
 
 class Axis {
@@ -43,7 +43,7 @@ class Axis {
   bool is_list() const { return std::holds_alternative<AxisList>(values_); }
   std::vector<nlohmann::json> repeated() const;
 
-  /// Where (a part of) the value stands in the study: "/axes/Ca/2" in a list, "/axes/Ca" in a range.
+  /// Pointer into the study to (a part of) a value: "/axes/Ca/2" in a list, "/axes/Ca" in a range.
   /// \param inner  pointer into the value, for one that is an object
   std::string pointer(std::size_t index, const std::string& inner) const;
 
@@ -52,11 +52,11 @@ class Axis {
   std::variant<AxisList, AxisRange> values_;
 };
 
-/// Reads what stands at /axes/Ca: a list, or {"from", "to", "count", "scale"}. Nothing after a fault. What a
-/// list holds is judged with the cases that come of it.
+/// Reads the value of /axes/Ca: a list, or {"from", "to", "count", "scale"}. Nothing if it has an issue. The
+/// values of a list are checked later, with the cases.
 std::optional<Axis> read_axis(const std::string& parameter, const nlohmann::json& json, Issues& issues);
 
-/// The parameters that may be an axis, in the order in which axes are listed: those of a case, and fidelity.
+/// The parameters that can be an axis, in the order in which axes are listed: the scalar ones and fidelity.
 const std::vector<std::string_view>& axis_parameters();
 
 }  // namespace capstan

@@ -5,7 +5,7 @@
 namespace capstan {
 namespace {
 
-/// "/fidelity/dx" is known as fidelity.dx.
+/// "fidelity.dx" of "/fidelity/dx".
 std::string key_of(const std::string& case_pointer) {
   std::string key = case_pointer.substr(1);
   std::replace(key.begin(), key.end(), '/', '.');
@@ -28,11 +28,11 @@ std::size_t DroppedKeys::points_where_it_stands(const Dropped& dropped) const {
   return dropped.axis ? points_with_.at(*dropped.axis) : points_;
 }
 
-Issues DroppedKeys::faults() const {
-  Issues faults;
+Issues DroppedKeys::issues() const {
+  Issues issues;
   for (const auto& [pointer, dropped] : dropped_)
-    if (dropped.points == points_where_it_stands(dropped)) faults.push_back({pointer, dropped.issue.message});
-  return faults;
+    if (dropped.points == points_where_it_stands(dropped)) issues.push_back({pointer, dropped.issue.message});
+  return issues;
 }
 
 std::vector<std::string> DroppedKeys::notes() const {

@@ -1,6 +1,6 @@
 #pragma once
-// Keys without effect at a study's points. Where a key has an effect at another point it is dropped here;
-// where it has one at no point it is a fault.
+// Keys without effect at some points of a study. A key that has an effect at another point is dropped where
+// it has none; a key without effect at all points is an issue.
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -14,19 +14,18 @@ namespace capstan {
 
 class DroppedKeys {
  public:
-  /// Which value of which axis: "axis 1, value 3".
+  /// Index of the axis, index of the value.
   using AxisValue = std::pair<std::size_t, std::size_t>;
 
-  /// A point whose case is read, with the values that stand there of axes that are lists.
+  /// Counts a point whose case is read. \param values  those of the axes that are lists
   void count_point(const std::vector<AxisValue>& values);
 
-  /// A key that was taken out of that case.
-  /// \param pointer  where it stands in the study  \param axis  the value of an axis that it stands in, if
-  /// any
+  /// Adds a key that was removed from that case.
+  /// \param pointer  of the key in the study   \param axis  the value of an axis that contains it, if any
   void add(const Issue& issue, const std::string& pointer, const std::optional<AxisValue>& axis);
 
-  /// The keys that have an effect at no point where they stand, with pointers into the study.
-  Issues faults() const;
+  /// The keys that have no effect at any point that has them, with pointers into the study.
+  Issues issues() const;
 
   /// "C is dropped at 3 of 6 points, where it has no effect: ..."
   std::vector<std::string> notes() const;

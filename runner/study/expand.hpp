@@ -8,14 +8,14 @@
 
 namespace capstan {
 
-/// One point of the product: which value of each axis, the last axis varying fastest.
+/// Index of the value on each axis at one point of the product. The last axis varies fastest.
 using AxisIndices = std::vector<std::size_t>;
 AxisIndices axis_indices(const std::vector<Axis>& axes, std::size_t point);
 
-/// Number of points; a double, since nothing has bounded it yet.
+/// Number of points; a double, because it can exceed every integer type.
 double product_size(const std::vector<Axis>& axes);
 
-/// Where a fault of a case at one point stands in the study: case pointer "/Ca" → "/axes/Ca/2" or "/base/Ca".
+/// The pointer into the study for a pointer into the case at one point: "/Ca" → "/axes/Ca/2" or "/base/Ca".
 std::string study_pointer(const std::string& case_pointer, const std::vector<Axis>& axes,
                           const AxisIndices& indices);
 

@@ -8,7 +8,7 @@ namespace capstan {
 /// Throws std::system_error when the file cannot be read.
 std::string read_input(const std::filesystem::path& file);
 
-/// As messages call it: its path, or "standard input".
+/// The name for messages: its path, or "standard input".
 std::string input_name(const std::filesystem::path& file);
 
 }  // namespace capstan

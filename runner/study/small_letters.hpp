@@ -1,5 +1,5 @@
 #pragma once
-// Ids of studies and cases are written in small letters (ASCII), whatever is typed.
+// Ids of studies and cases are compared in small letters (ASCII).
 #include <algorithm>
 #include <cctype>
 #include <string>

@@ -12,18 +12,18 @@
 
 namespace capstan {
 
-/// A larger grid is refused before it is expanded.
+/// A study with more points is refused before it is expanded.
 inline constexpr std::size_t kMaxCases = 10000;
 
 /// The points are the product of the axes, the last axis varying fastest. Different points can be the same
-/// case: where a value that was asked for has no effect, or resolves to what stands at another point.
+/// case, e.g. where the value that differs has no effect.
 struct Study {
   std::string name;
   std::string description;
   std::vector<Axis> axes;           ///< in the order of axis_parameters()
   std::vector<Case> cases;          ///< each once, in the order of the points
   std::vector<std::size_t> points;  ///< which case each point is
-  std::vector<std::string> notes;   ///< what was done with the study that its author may not expect
+  std::vector<std::string> notes;   ///< sentences on what the author may not expect (study_notes.hpp)
   nlohmann::json document;          ///< as it was given, in one spelling: no -0.0, and 4 for 4.0
 
   /// The scalar parameters and the fidelity as asked for at a point, by the base or an axis.
@@ -35,11 +35,12 @@ struct ParsedStudy {
   Issues issues;               ///< pointers into the study's document
 };
 
-/// Reads and expands a study. Every fault is reported, once: one of an expanded case stands at the axis value
-/// or base key that it comes from. Beyond 100 faults only their number is told.
+/// Reads and expands a study. Every issue is reported once; the pointer of an issue of an expanded case is
+/// that of the axis value or base key that it comes from. Of more than 100 issues the others are only
+/// counted.
 ParsedStudy parse_study(const nlohmann::json& document);
 
-/// The same from text, which may not even be JSON.
+/// Reads a study from text that need not be JSON.
 ParsedStudy parse_study_text(std::string_view text);
 
 }  // namespace capstan

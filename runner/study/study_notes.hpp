@@ -1,5 +1,5 @@
 #pragma once
-// What was done with a study that its author may not expect, in sentences.
+// Sentences on what the author of a study may not expect.
 #include <map>
 #include <string>
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace capstan {
 
-/// Sentences, each with the number of points that it holds for.
+/// Sentences with the number of points that each holds for.
 using CountedSentences = std::map<std::string, std::size_t>;
 
-/// Values that stand twice on an axis, keys that were dropped, what the solver chose, settings that make the
-/// answer doubtful (case_warnings), points that are the same case.
+/// Repeated values of an axis, dropped keys, choices of the solver, settings that make the answer doubtful
+/// (case_warnings), and points that are the same case.
 std::vector<std::string> notes_on(const Study& study, const DroppedKeys& dropped,
                                   const CountedSentences& choices, const CountedSentences& warnings);
 

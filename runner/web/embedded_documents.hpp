@@ -3,8 +3,6 @@
 
 namespace capstan {
 
-extern const char* const kOpenApi;      ///< openapi.yaml
-extern const char* const kStudySchema;  ///< study.schema.json, to which openapi.yaml refers
-extern const char* const kCaseSchema;   ///< case.schema.json, likewise
+extern const char* const kOpenApi;  ///< openapi.yaml
 
 }  // namespace capstan

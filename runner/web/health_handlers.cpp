@@ -3,11 +3,13 @@
 #include <filesystem>
 
 #include "runner/queries/metrics.hpp"
+#include "runner/study/study_schema.hpp"
 #include "runner/web/embedded_documents.hpp"
 #include "runner/web/handlers.hpp"
 #include "runner/web/http_metrics.hpp"
 #include "runner/web/openapi_text.hpp"
 #include "runner/web/startup_response.hpp"
+#include "solver/case/json_schema.hpp"
 
 namespace capstan {
 
@@ -54,11 +56,11 @@ Response get_openapi(Service&, const httplib::Request&, const std::string&) {
 }
 
 Response get_study_schema(Service&, const httplib::Request&, const std::string&) {
-  return {200, "application/schema+json", kStudySchema, {}};
+  return {200, "application/schema+json", study_schema().dump(2) + "\n", {}};
 }
 
 Response get_case_schema(Service&, const httplib::Request&, const std::string&) {
-  return {200, "application/schema+json", kCaseSchema, {}};
+  return {200, "application/schema+json", case_schema().dump(2) + "\n", {}};
 }
 
 }  // namespace capstan

@@ -9,6 +9,7 @@
 #include "runner/queue/case_state.hpp"
 #include "runner/study/axis.hpp"
 #include "runner/web/listed.hpp"
+#include "solver/case/parameters.hpp"
 #include "solver/run_directory/result_words.hpp"
 
 namespace capstan {
@@ -50,33 +51,22 @@ std::string issue_of_state(const std::string& value) { return issue_unless_word_
 
 std::string issue_of_motion(const std::string& value) { return issue_unless_word_of(kMotions, value); }
 
-std::string issue_of_shape(const std::string& value) {
-  return issue_unless_among(value, to_string(Shape::sphere), to_string(Shape::oblate),
-                            to_string(Shape::prolate), to_string(Shape::biconcave));
-}
-
-std::string issue_of_law(const std::string& value) {
-  return issue_unless_among(value, to_string(Law::neo_hookean), to_string(Law::skalak));
-}
-
-std::string issue_of_bending(const std::string& value) {
-  return issue_unless_among(value, to_string(BendingModel::variational),
-                            to_string(BendingModel::helfrich_literal));
-}
-
-std::string issue_of_fluid(const std::string& value) {
-  return issue_unless_among(value, to_string(Fluid::quasisteady), to_string(Fluid::transient),
-                            to_string(Fluid::stokes), "auto");
-}
-
-std::string issue_of_c0(const std::string& value) {
-  if (issue_of_number(value).empty() || issue_unless_among(value, "initial", "uniform").empty()) return "";
-  return "must be a number, or one of: initial, uniform";
+/// A value of a parameter of a case, as text.
+std::string issue_of_parameter(const Parameter& parameter, const std::string& value) {
+  const std::vector<std::string> texts = parameter.value->words();
+  const std::vector<std::string_view> words(texts.begin(), texts.end());
+  const bool takes_numbers = parameter.value->takes_numbers();
+  if (takes_numbers && (words.empty() || issue_of_number(value).empty())) return issue_of_number(value);
+  const std::string issue = issue_of_word(value, words);
+  return issue.empty() || !takes_numbers ? issue : "must be a number, or one of: " + listed(words);
 }
 
 std::string issue_of_fidelity(const std::string& value) {
   if (nlohmann::json::parse(value, nullptr, false).is_object()) return "";
-  const std::string issue = issue_unless_among(value, "fast", "standard", "fine", "paper");
+  std::vector<std::string_view> names;
+  names.reserve(fidelity_presets().size());
+  for (const FidelityPreset& preset : fidelity_presets()) names.push_back(preset.name);
+  const std::string issue = issue_of_word(value, names);
   return issue.empty() ? "" : issue + "; or an object of knobs";
 }
 
@@ -84,32 +74,43 @@ std::string issue_of_axis(const std::string& value) { return issue_of_word(value
 
 std::string issue_of_format(const std::string& value) { return issue_unless_among(value, "json", "csv"); }
 
-constexpr QueryParameter kPage[] = {
-    {"limit", issue_of_limit}, {"after", no_issue},  // read_page_query() checks the cursor against its list
-};
-
-constexpr QueryParameter kCaseList[] = {
-    {"limit", issue_of_limit},       {"after", no_issue},       {"state", issue_of_state},
-    {"motion", issue_of_motion},     {"shape", issue_of_shape}, {"aspect", issue_of_number},
-    {"law", issue_of_law},           {"C", issue_of_number},    {"Ca", issue_of_number},
-    {"V", issue_of_number},          {"Re", issue_of_number},   {"E_b", issue_of_number},
-    {"bending", issue_of_bending},   {"c0", issue_of_c0},       {"fluid", issue_of_fluid},
-    {"fidelity", issue_of_fidelity},
-};
-
-constexpr QueryParameter kPhaseDiagram[] = {
-    {"x", issue_of_axis},
-    {"y", issue_of_axis},
-    {"at", no_issue, true},  // AXIS=VALUE: phase_diagram() checks it against the study
-};
-
-constexpr QueryParameter kHistory[] = {{"format", issue_of_format}};
+std::vector<QueryParameter> filters_of_cases() {
+  std::vector<QueryParameter> filters = {{"limit", issue_of_limit},
+                                         {"after", no_issue},  // read_page_query() checks it against its list
+                                         {"state", issue_of_state},
+                                         {"motion", issue_of_motion}};
+  for (const Parameter& parameter : parameters())
+    if (parameter.group.empty())
+      filters.push_back({parameter.key, [&parameter](const std::string& value) {
+                           return issue_of_parameter(parameter, value);
+                         }});
+  filters.push_back({"fidelity", issue_of_fidelity});
+  return filters;
+}
 
 }  // namespace
 
-std::span<const QueryParameter> page_parameters() { return kPage; }
-std::span<const QueryParameter> case_list_parameters() { return kCaseList; }
-std::span<const QueryParameter> phase_diagram_parameters() { return kPhaseDiagram; }
-std::span<const QueryParameter> history_parameters() { return kHistory; }
+std::span<const QueryParameter> page_parameters() {
+  static const std::vector<QueryParameter> page = {{"limit", issue_of_limit}, {"after", no_issue}};
+  return page;
+}
+
+std::span<const QueryParameter> case_list_parameters() {
+  static const std::vector<QueryParameter> filters = filters_of_cases();
+  return filters;
+}
+
+std::span<const QueryParameter> phase_diagram_parameters() {
+  static const std::vector<QueryParameter> diagram = {
+      {"x", issue_of_axis},
+      {"y", issue_of_axis},
+      {"at", no_issue, true}};  // AXIS=VALUE: phase_diagram() checks it against the study
+  return diagram;
+}
+
+std::span<const QueryParameter> history_parameters() {
+  static const std::vector<QueryParameter> history = {{"format", issue_of_format}};
+  return history;
+}
 
 }  // namespace capstan

@@ -1,5 +1,6 @@
 #pragma once
 // The query parameters that each route accepts.
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,7 +9,8 @@ namespace capstan {
 
 struct QueryParameter {
   std::string_view name;
-  std::string (*issue_of)(const std::string& value);  ///< what is wrong with a value, "" if nothing
+  /// What is wrong with a value, "" if nothing.
+  std::function<std::string(const std::string& value)> issue_of;
   bool may_repeat = false;
 };
 

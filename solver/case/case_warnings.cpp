@@ -9,7 +9,7 @@
 namespace capstan {
 namespace {
 
-/// The paper, fig. 10.
+/// The limit is that of the paper, fig. 10.
 std::string neglected_inertia(const Case& c) {
   if (!neglects_inertia(c)) return "";
   return "Re = " + rounded(c.Re) +
@@ -17,14 +17,15 @@ std::string neglected_inertia(const Case& c) {
          "\"fluid\": \"transient\"";
 }
 
-/// Of equilateral triangles on the unit sphere.
+/// Edge length / a of equilateral triangles that cover the unit sphere.
 double mean_edge(int nodes) {
   const double faces = 2. * (nodes - 2);
   return std::sqrt(4 * std::numbers::pi / faces * 4 / std::sqrt(3.));
 }
 
-/// Measured with 162 and 642 nodes at kt = 3: edges of 1.5 dx are right, with edges of 3 dx the flow passes
-/// between the vertices, the volume leaks by 0.6 to 3.6 % and D is farther off than with twice the spacing.
+/// Measured with 162 and 642 nodes at kt = 3: edges of 1.5 dx are good. With edges of 3 dx fluid passes
+/// between the vertices, the volume changes by 0.6 to 3.6 %, and the error of D is larger than with twice the
+/// spacing.
 std::string lattice_finer_than_mesh(const Case& c) {
   constexpr double kMaxEdge = 2;  // dx
   const double edge = mean_edge(c.fidelity.nodes);
@@ -35,9 +36,9 @@ std::string lattice_finer_than_mesh(const Case& c) {
          rounded(edge / kMaxEdge);
 }
 
-/// The viscosity's jump is smoothed over some cells. Measured: D of spheres (Ca = 0.05 and 0.2, kt = 6) is
-/// too large by about 0.09 V dx where V > 1: 8 % at V = 5, 18 % at 10, 63 % at 30 and 150 to 200 % at 100
-/// with dx = 0.2, about half with dx = 0.1. Below V = 1 the error does not depend on V.
+/// The jump of the viscosity is smoothed over some cells. Measured for spheres (Ca = 0.05 and 0.2, kt = 6, V
+/// > 1): D is too large by about 0.09 V dx. With dx = 0.2 that is 8 % at V = 5, 18 % at 10, 63 % at 30 and
+/// 150 to 200 % at 100; with dx = 0.1 about half. For V < 1 the error does not depend on V.
 std::string viscosity_on_coarse_lattice(const Case& c) {
   constexpr double kErrorOfD = 0.09, kMaxError = 0.1, kFinest = 0.02;
   const double error = kErrorOfD * c.V * c.fidelity.dx, fine_enough = kMaxError / (kErrorOfD * c.V);

@@ -1,6 +1,5 @@
 #pragma once
-// Settings of a case that can be run, but give a doubtful answer: what is wrong, why, and what to do. Known
-// before the run.
+// Warnings about a case that can be run, but whose settings make the result doubtful. Known before the run.
 #include <string>
 #include <vector>
 
@@ -8,6 +7,7 @@
 
 namespace capstan {
 
+/// Sentences: what is wrong, why, and what to do.
 std::vector<std::string> case_warnings(const Case& c);
 
 }  // namespace capstan

@@ -1,5 +1,5 @@
 #pragma once
-// What the solver chose in the place of what a case file asked for, and why.
+// Settings that the solver chose instead of those of the case file, and why.
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -7,14 +7,14 @@
 namespace capstan {
 
 struct Choice {
-  std::string key;               ///< of the case file
-  nlohmann::json asked, chosen;  ///< its values
-  std::string reason;            ///< a sentence for the user
+  std::string key;               ///< key of the case file
+  nlohmann::json asked, chosen;  ///< values of the key
+  std::string reason;            ///< for the user, a sentence
   bool operator==(const Choice&) const = default;
 };
 using Choices = std::vector<Choice>;
 
-/// "fluid: auto became stokes: " and the reason.
+/// "fluid: auto became stokes: <reason>"
 std::string in_words(const Choice& choice);
 
 /// [{"key": ..., "asked": ..., "chosen": ..., "reason": ...}]

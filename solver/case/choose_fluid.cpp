@@ -5,8 +5,8 @@
 namespace capstan {
 namespace {
 
-/// The setting that only a lattice has, e.g. "fidelity/dx"; "" if there is none. A time step is one, because
-/// boundary integrals choose theirs by its error.
+/// A given setting that only a lattice has, e.g. "fidelity/dx"; "" if there is none. The time step kdt is
+/// one: with boundary integrals the stepper chooses it.
 std::string lattice_setting(const nlohmann::json& fidelity) {
   if (fidelity == "paper") return "fidelity";
   if (!fidelity.is_object()) return "";

@@ -1,8 +1,8 @@
 #pragma once
 // The flow model of a case that leaves the choice to the solver ("fluid": "auto", the default).
 //
-// Boundary integrals are the more accurate model at equal cost: beside them the lattice errs 7 to 100 times
-// more. They know no inertia, no walls and no grid, so a case that asks for one of these gets a lattice.
+// At equal cost the errors of boundary integrals are 7 to 100 times smaller than those of a lattice. But they
+// have no inertia, no walls and no grid: a case that asks for one of these gets a lattice.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -10,7 +10,7 @@
 
 namespace capstan {
 
-/// Up to here inertia is small enough to be left out: Re = 0.05 changes the deformation of a sphere by 0.5 %.
+/// Up to this Reynolds number inertia is neglected: Re = 0.05 changes the deformation of a sphere by 0.5 %.
 inline constexpr double kMaxStokesRe = 0.1;
 
 struct FluidChoice {
@@ -18,13 +18,14 @@ struct FluidChoice {
   std::string reason;
 };
 
-/// \param fidelity  as the case file has it; null where it says nothing
+/// \param fidelity  value of that key in the case file; null if it is not given
 FluidChoice choose_fluid(double Re, const nlohmann::json& fidelity);
 
-/// The fluid of a lattice: quasisteady has no memory and deviates from Re = 0.1 on (paper, fig. 10).
+/// The lattice model for a Reynolds number: quasisteady below 0.1, where its error starts to grow (paper,
+/// fig. 10).
 Fluid lattice_for(double Re);
 
-/// A quasi-steady flow was asked for where it deviates.
+/// The case has the quasisteady model at a Reynolds number where the transient one is needed.
 bool neglects_inertia(const Case& c);
 
 }  // namespace capstan

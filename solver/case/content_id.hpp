@@ -1,5 +1,5 @@
 #pragma once
-// The identity of a case: equal inputs and equal numerics give the same id, wherever they were asked for.
+// The content id of a case: cases with equal inputs and equal numerics have the same id.
 #include <string>
 #include <string_view>
 
@@ -7,17 +7,17 @@
 
 namespace capstan {
 
-/// Raised whenever the solver's results change for the same case.
+/// Increased whenever the solver's results change for the same case.
 inline constexpr int kNumericsVersion = 6;
 
-/// A case as it is stored: equal cases have equal documents.
+/// A case as it is stored. Equal cases have equal documents.
 struct CanonicalCase {
   std::string id;        ///< SHA-256 over the numerics version and the document; 16 hexadecimal digits
   std::string document;  ///< JSON
 };
 CanonicalCase canonical(const Case& c);
 
-/// The id alone.
+/// The id only.
 std::string case_id(const Case& c);
 
 /// SHA-256, 64 hexadecimal digits.

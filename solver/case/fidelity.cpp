@@ -1,7 +1,6 @@
 #include "solver/case/fidelity.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace capstan {
 
@@ -26,19 +25,9 @@ const FidelityPreset* find_preset(std::string_view name) {
 }
 
 std::optional<int> icosphere_subdivisions(int nodes) {
-  for (int n = 0, faces = 20; n <= 6; ++n, faces *= 4)
-    if (nodes == faces / 2 + 2) return n;
-  return std::nullopt;
-}
-
-std::string_view to_string(Scheme scheme) { return scheme == Scheme::tuned ? "tuned" : "paper"; }
-
-std::string_view to_string(Stepper stepper) { return stepper == Stepper::adams_bashforth ? "ab2" : "rkc2"; }
-
-std::string_view to_string(Symmetry symmetry) { return symmetry == Symmetry::automatic ? "auto" : "none"; }
-
-std::string_view to_string(Precision precision) {
-  return precision == Precision::single ? "float" : "double";
+  const auto found = std::ranges::find(kIcosphereNodes, nodes);
+  if (found == std::end(kIcosphereNodes)) return std::nullopt;
+  return int(found - std::begin(kIcosphereNodes));
 }
 
 }  // namespace capstan

@@ -1,34 +1,44 @@
 #pragma once
-// Accuracy against speed: the numerical settings of one run, as named presets and single knobs.
-#include <nlohmann/json.hpp>
+// Accuracy against speed: the numerical settings of one run, and named presets of them.
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "solver/case/words.hpp"
+
 namespace capstan {
 
-/// How the quasi-steady lattice flow is solved.
+/// How the quasisteady lattice flow is solved.
 enum class Scheme {
   tuned,  ///< a fine grid around the capsule only, free parameters chosen for convergence; stops on an
           ///< estimate of the error
   paper,  ///< lattice viscosity 0.04, rates 1.8, gamma 0.8, stops on the change of velocity (eq. 26)
 };
+template <>
+inline constexpr auto kWords<Scheme> = std::to_array<Word<Scheme>>({{Scheme::tuned, "tuned"},
+                                                                    {Scheme::paper, "paper"}});
 
 /// How the membrane moves with the flow.
 enum class Stepper {
-  adams_bashforth,        ///< "ab2": second order, equal steps, one flow a step (paper eq. 38)
-  runge_kutta_chebyshev,  ///< "rkc2": second order, steps after their error, as many flows as stability asks
-                          ///< for
+  adams_bashforth,        ///< second order, equal steps, one flow a step (paper eq. 38)
+  runge_kutta_chebyshev,  ///< second order, adaptive steps, as many flows a step as stability requires
 };
+template <>
+inline constexpr auto kWords<Stepper> = std::to_array<Word<Stepper>>(
+    {{Stepper::adams_bashforth, "ab2"}, {Stepper::runge_kutta_chebyshev, "rkc2"}});
 
-/// Whether the symmetry of a capsule that starts in the plane of shear is made use of: a quarter of the flow
-/// is solved for.
+/// Whether the flow of a capsule that starts in the plane of shear is solved for in a quarter of space only.
 enum class Symmetry { automatic, none };
+template <>
+inline constexpr auto kWords<Symmetry> = std::to_array<Word<Symmetry>>({{Symmetry::automatic, "auto"},
+                                                                        {Symmetry::none, "none"}});
 
-/// Of the numbers on the grids of the scheme tuned and of the transient lattice; forces, positions and
-/// observables are always double.
+/// Precision of the numbers on the composite grid and on the transient lattice; forces, positions and
+/// observables are always in double precision.
 enum class Precision { single, double_ };
+template <>
+inline constexpr auto kWords<Precision> = std::to_array<Word<Precision>>({{Precision::single, "float"},
+                                                                          {Precision::double_, "double"}});
 
 struct Fidelity {
   double dx = 0.1;    ///< lattice spacing / a
@@ -43,21 +53,19 @@ struct Fidelity {
   bool operator==(const Fidelity&) const = default;
 };
 
-/// A named preset; stepper and `kdt` are still to be chosen (time_step_defaults.hpp).
+/// Named settings. Stepper and `kdt` are chosen afterwards, for the case (time_step_defaults.hpp).
 struct FidelityPreset {
   std::string_view name;
   std::string_view purpose;
-  Fidelity knobs;
+  Fidelity settings;
 };
 const std::vector<FidelityPreset>& fidelity_presets();
 const FidelityPreset* find_preset(std::string_view name);
 
-/// Vertex counts of the subdivided icosahedron: 12, 42, 162, 642, 2562, 10242, 40962.
-std::optional<int> icosphere_subdivisions(int nodes);
+/// Vertex counts of the icosahedron subdivided 0, 1, 2 ... times.
+inline constexpr int kIcosphereNodes[] = {12, 42, 162, 642, 2562, 10242, 40962};
 
-std::string_view to_string(Scheme scheme);
-std::string_view to_string(Stepper stepper);
-std::string_view to_string(Symmetry symmetry);
-std::string_view to_string(Precision precision);
+/// How often the icosahedron is subdivided for this vertex count; nothing if no subdivision has it.
+std::optional<int> icosphere_subdivisions(int nodes);
 
 }  // namespace capstan

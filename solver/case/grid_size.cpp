@@ -5,14 +5,14 @@
 namespace capstan {
 
 SemiAxes semi_axes(const Case& c) {
-  if (c.shape != Shape::oblate && c.shape != Shape::prolate) return {};
+  if (!c.has_aspect()) return {};
   return {std::pow(c.aspect, 2. / 3), std::pow(c.aspect, -1. / 3)};
 }
 
 double uniform_cells(const Case& c) { return std::pow(c.fidelity.box / c.fidelity.dx, 3); }
 
 double composite_cells(const Case& c) {
-  constexpr double kStretch = 0.6, kMargins = 12;  // of the box / a, as the capsule deforms; in cells
+  constexpr double kStretch = 0.6, kMargins = 12;  // of the box as the capsule deforms, / a; in cells
   const auto [axis, across] = semi_axes(c);
   const auto cells_along = [&](double semi_axis) {
     return (2 * semi_axis + kStretch) / c.fidelity.dx + kMargins;

@@ -1,21 +1,21 @@
 #pragma once
-// How large a capsule is at rest, and how many cells the grids around it have: what cost, memory and disk
-// space of a run are estimated from.
+// Size of the capsule at rest and number of grid cells: cost, memory and disk space of a run are estimated
+// from them.
 #include "solver/case/case.hpp"
 
 namespace capstan {
 
-/// Semi-axes of a spheroid at rest / a; it has the volume of the unit sphere. 1 and 1 for other shapes.
+/// Semi-axes / a of a spheroid with the volume of the unit sphere; 1 and 1 for other shapes.
 struct SemiAxes {
   double along_axis = 1, across = 1;
 };
 SemiAxes semi_axes(const Case& c);
 
-/// Cells of a grid over the whole domain.
+/// Number of cells of a uniform grid over the whole domain.
 double uniform_cells(const Case& c);
 
-/// Cells of the finest grid of the composite that are solved for: the box around the capsule, which is
-/// inclined by pi/4, and its margins; a quarter of them where the symmetry is made use of.
+/// Number of cells of the finest level of the composite grid on which the flow is solved: the box around the
+/// capsule, which is inclined by pi/4, with margins; a quarter of them if the symmetry is used.
 double composite_cells(const Case& c);
 
 }  // namespace capstan

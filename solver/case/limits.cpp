@@ -10,6 +10,7 @@
 #include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
 #include "solver/case/units.hpp"
+#include "solver/strain_laws/strain_law.hpp"
 
 namespace capstan {
 namespace {
@@ -33,34 +34,34 @@ double gigabytes_of_grid(const Case& c) { return grid_bytes(c) / 1e9; }
 
 double days(const Case& c) { return run_cost(c) / 86400; }
 
-/// One thing of which a run can have too much.
+/// An upper limit of a quantity.
 struct Limit {
-  std::string_view pointer;       ///< to the parameter that decides it
-  double (*demand)(const Case&);  ///< 0: this case has none of it
-  double largest;                 ///< the comment beside it says why
+  std::string_view pointer;         ///< to the parameter that decides the quantity
+  double (*quantity)(const Case&);  ///< of a case; 0 if it has none
+  double max;                       ///< the comment above the row gives the reason
   std::string_view unit, advice;
 };
 
 constexpr Limit kLimits[] = {
-    // a step takes 10 microseconds at the very least
+    // a step takes at least 10 microseconds
     {"/Re", transient_steps, 1e8, "time steps",
      "a step of the transient flow is k dt = 0.04 Re dx^2, so raise Re or dx, lower until.kt, or take the "
      "fluid "
      "quasisteady or stokes"},
     {"/fidelity/kdt", equal_steps, 1e8, "time steps", "raise kdt, lower until.kt, or take the stepper rkc2"},
-    // each is a line of history.jsonl and a row of the database
+    // a record is a line of history.jsonl and a row of the database
     {"/outputs/history_every", records, 2e5, "records", "raise outputs.history_every or lower until.kt"},
-    // each is a file of one directory
+    // a shape is a file, all in one directory
     {"/outputs/shapes_every", shapes, 1e5, "shapes", "raise outputs.shapes_every or lower until.kt"},
     {"/outputs/shapes_every", gigabytes_of_shapes, 50, "GB of shapes on disk",
      "raise outputs.shapes_every, lower until.kt, or take fewer nodes"},
-    // of a workstation
+    // the memory of a workstation
     {"/fidelity", gigabytes_of_grid, 16, "GB of memory", "raise dx or lower box"},
     {"/until/kt", days, 366, "days of computing on one core",
      "lower until.kt, or take a coarser fidelity (fewer nodes, a larger dx)"},
 };
 
-/// The capsule's longest semi-axis at rest / a; all shapes have the volume of the unit sphere.
+/// The longest semi-axis of the capsule at rest / a, at the volume of the unit sphere.
 double semi_axis_at_rest(const Case& c) {
   constexpr double kBiconcave = 1.53;
   if (c.shape == Shape::biconcave) return kBiconcave;
@@ -68,36 +69,35 @@ double semi_axis_at_rest(const Case& c) {
   return std::max(axis, across);
 }
 
-/// By how much the flow draws out a sphere, at least. Measured with boundary integrals, V = 1: a neo-Hookean
-/// sphere grows to 1.4, 2.3, 3.3 and more than 8 times its radius at Ca = 0.1, 0.5, 1 and 4; V = 5 takes it
-/// to 1.8 at Ca = 1. Skalak's law stiffens as it is stretched.
+/// Lower bound of the longest semi-axis of a deformed sphere over its radius. Measured with boundary
+/// integrals for the neo-Hookean law: 1.4, 2.3, 3.3 and more than 8 at Ca = 0.1, 0.5, 1 and 4 with V = 1,
+/// and 1.8 at Ca = 1 with V = 5. Strain-hardening laws stay near 1.
 double elongation(const Case& c) {
-  if (c.law == Law::skalak) return 1;
+  if (c.law->is_strain_hardening) return 1;
   return 1 + std::min(2 * c.Ca * 2 / (1 + std::max(1., c.V)), 0.5 * c.until.kt);
 }
 
-/// The box's half edge must hold the longest semi-axis, and the cells that the delta function reaches beyond
-/// it.
-double least_box(const Case& c) {
+/// Half of the box must contain the longest semi-axis and the support of the delta function.
+double min_box(const Case& c) {
   constexpr double kCells = 4;
   return 2 * (semi_axis_at_rest(c) * elongation(c) + kCells * c.fidelity.dx);
 }
 
-/// Below this the velocities in lattice units are too small for the numbers that hold them.
+/// Below this the velocities in lattice units are lost in rounding errors.
 constexpr double kMinReynolds = 1e-6;
 
 void check_precision(const Case& c, Issues& issues) {
-  const double least = flow_rounding(c);
-  if (!c.solves_for_flow() || c.fidelity.tolerance >= least) return;
+  const double min_tolerance = flow_rounding(c);
+  if (!c.solves_for_flow() || c.fidelity.tolerance >= min_tolerance) return;
   issues.push_back({"/fidelity/tolerance", "is " + rounded(c.fidelity.tolerance) +
                                                ", and the flow in single precision is known to " +
-                                               rounded(least) + " at best: raise it" +
+                                               rounded(min_tolerance) + " at best: raise it" +
                                                (c.has_precision() ? ", or take precision double" : "")});
 }
 
-/// The lattice's own step moves the membrane, too: neither may be too fast. Measured: a sphere at Re = 10, dx
-/// = 0.2 keeps its volume where step times fastest decay is 4, and loses it at 10; the flow is stable with
-/// walls at 0.2, not at 0.26.
+/// The membrane moves with the time step of the lattice. Its stability limits the decay rate of the
+/// membrane's fastest mode times the step: a sphere at Re = 10 and dx = 0.2 kept its volume at 4, not at 10.
+/// The stability of the flow limits the lattice velocity of the walls: 0.2 was stable, 0.26 was not.
 void check_transient(const Case& c, Issues& issues) {
   constexpr double kMinStep = 1e-8, kMaxDecay = 6, kMaxWallSpeed = 0.22;
   const LatticeUnits units = transient_units(c);
@@ -121,19 +121,18 @@ void check_grid_fits(const Case& c, Issues& issues) {
     issues.push_back({"/Re", "is " + rounded(c.Re) + ", and a lattice needs at least " +
                                  rounded(kMinReynolds) +
                                  ": raise it, or take the fluid stokes, which has no inertia"});
-  if (c.fidelity.box < least_box(c))
-    issues.push_back({"/fidelity/box", "is " + rounded(c.fidelity.box) +
-                                           ", and the capsule, drawn out to a length of " +
-                                           rounded(2 * semi_axis_at_rest(c) * elongation(c)) +
-                                           ", needs at least " + rounded(least_box(c)) +
-                                           ": take a larger box, or the fluid stokes, which has none"});
+  if (c.fidelity.box < min_box(c))
+    issues.push_back({"/fidelity/box",
+                      "is " + rounded(c.fidelity.box) + ", and the capsule, drawn out to a length of " +
+                          rounded(2 * semi_axis_at_rest(c) * elongation(c)) + ", needs at least " +
+                          rounded(min_box(c)) + ": take a larger box, or the fluid stokes, which has none"});
 }
 
 }  // namespace
 
 double grid_bytes(const Case& c) {
-  // of a cell: the populations before and after a sweep, stress rates, on coarse levels defect and start too;
-  // or, in place, the populations alone
+  // bytes a cell: populations before and after a sweep, and relaxation rates; on coarse levels, which
+  // together have 1/7 of the cells, also right-hand side and start. In place: the populations only.
   constexpr double kPaper = 19 * 8 * 2 + 8 + 19 * 8 * 4 / 7., kInPlace = 19 * 4;
   const double cells = uniform_cells(c);
   if (c.fluid == Fluid::transient)
@@ -144,10 +143,10 @@ double grid_bytes(const Case& c) {
 Issues limits_exceeded(const Case& c) {
   Issues issues;
   for (const Limit& limit : kLimits)
-    if (const double demand = limit.demand(c); !(demand <= limit.largest))
-      issues.push_back({std::string(limit.pointer), "makes a run of " + rounded(demand) + " " +
+    if (const double quantity = limit.quantity(c); !(quantity <= limit.max))
+      issues.push_back({std::string(limit.pointer), "makes a run of " + rounded(quantity) + " " +
                                                         std::string(limit.unit) + ", and at most " +
-                                                        rounded(limit.largest) +
+                                                        rounded(limit.max) +
                                                         " are possible: " + std::string(limit.advice)});
   if (c.fluid == Fluid::transient) check_transient(c, issues);
   if (c.has_grid()) check_grid_fits(c, issues);

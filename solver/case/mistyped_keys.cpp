@@ -41,13 +41,4 @@ Issues rename_mistyped_keys(json& object, const std::vector<std::string_view>& k
   return issues;
 }
 
-const std::vector<std::string_view>& case_keys() {
-  static const std::vector<std::string_view> keys = [] {
-    std::vector<std::string_view> all = scalar_parameters();
-    for (const char* group : {"until", "fidelity", "outputs"}) all.emplace_back(group);
-    return all;
-  }();
-  return keys;
-}
-
 }  // namespace capstan

@@ -5,16 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/case/parse.hpp"
+#include "solver/case/issue.hpp"
 
 namespace capstan {
 
-/// Renames each key of the object that is near a known one that is missing, so that a mistyped key is one
-/// fault: the issues. Anything but an object has none. \param pointer  of the object in its document
+/// Renames each unknown key of the object that is near to a known key the object lacks, so that a mistyped
+/// key is one issue. Returns these issues; none for anything but an object. \param pointer  of the object in
+/// its document
 Issues rename_mistyped_keys(nlohmann::json& object, const std::vector<std::string_view>& known,
                             const std::string& pointer = "");
-
-/// All keys of a case.
-const std::vector<std::string_view>& case_keys();
 
 }  // namespace capstan

@@ -6,9 +6,9 @@
 namespace capstan {
 namespace {
 
-constexpr std::size_t kMax = 40;  // characters; nobody mistypes a longer word for one of ours
+constexpr std::size_t kMax = 40;  // characters; all known words are shorter
 
-/// In small letters, without '-', '_' and spaces.
+/// In lower case, without '-', '_' and spaces.
 std::string simplified(std::string_view word) {
   std::string simple;
   for (const unsigned char c : word)
@@ -34,18 +34,18 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return last[b.size()];
 }
 
-/// Short words resemble each other by chance.
+/// Few for short words, which are similar by chance.
 std::size_t allowed_errors(std::size_t length) {
   return length < 3 ? 0 : length < 6 ? 1 : length < 9 ? 2 : 3;
 }
 
-/// Typing errors between the two; nothing if they are too many. A word that was broken off counts as the last
-/// choice.
+/// The number of typing errors between two words; nothing if there are too many. The beginning of the
+/// candidate counts as one error more than is allowed, so that every other near candidate is preferred.
 std::optional<std::size_t> errors_between(const std::string& typed, const std::string& candidate) {
-  const std::size_t most = allowed_errors(typed.size());
+  const std::size_t max_errors = allowed_errors(typed.size());
   const std::size_t errors = edit_distance(typed, candidate);
-  if (errors <= most) return errors;
-  if (typed.size() >= 3 && candidate.starts_with(typed)) return most + 1;
+  if (errors <= max_errors) return errors;
+  if (typed.size() >= 3 && candidate.starts_with(typed)) return max_errors + 1;
   return std::nullopt;
 }
 

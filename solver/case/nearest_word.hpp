@@ -1,5 +1,5 @@
 #pragma once
-// The word that was meant by a mistyped one.
+// The known word that a mistyped word probably means.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,12 +7,12 @@
 
 namespace capstan {
 
-/// The candidate that is nearest to `typed`, if one is near: the same but for capitals, '-' and '_'; or
-/// within a few typing errors (a letter too many, missing, wrong, or two exchanged), the more the longer the
-/// word; or one that begins with it.
+/// The candidate nearest to `typed`; nothing if none is near. Capitals, '-' and '_' do not count. A candidate
+/// is near if it is within a few typing errors (insertion, deletion, substitution, transposition), more for
+/// longer words, or if it begins with `typed`.
 std::optional<std::string> nearest_word(std::string_view typed, const std::vector<std::string>& candidates);
 
-/// The same as the end of a message: `; did you mean "skalak"?`, or nothing.
+/// The nearest candidate as the end of a message: `; did you mean "skalak"?`, or nothing.
 std::string suggestion(std::string_view typed, const std::vector<std::string>& candidates);
 
 }  // namespace capstan

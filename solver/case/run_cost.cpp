@@ -9,13 +9,13 @@
 namespace capstan {
 namespace {
 
-/// A step on the composite of grids: its cells, and what does not depend on the spacing.
+/// Seconds a step on the composite grid: a constant part and a part proportional to its cells.
 double composite_step(const Case& c) {
   constexpr double kFixed = 0.43e-3, kCell = 1.75e-7;
   return (kFixed + kCell * composite_cells(c)) * (c.has_viscosity_ratio() ? 1 : 0.55);
 }
 
-/// The paper's scheme takes some thirty-five sweeps over the whole domain a step.
+/// Seconds a step of the paper's scheme: about 35 sweeps over the whole domain.
 double papers_step(const Case& c) { return 35 * 25e-9 * uniform_cells(c); }
 
 double transient_run(const Case& c) {
@@ -23,16 +23,17 @@ double transient_run(const Case& c) {
   return c.until.kt / transient_units(c).kdt * kCell * uniform_cells(c);
 }
 
-/// What the integrals around a vertex cost where the mesh is drawn out or flattened, in seconds.
+/// Additional seconds a vertex for the singular integrals on an elongated or flattened mesh.
 double uneven_mesh(const Case& c) {
   constexpr double kDrawnOut = 0.16e-6, kFlattened = 0.1e-6;
   const auto [axis, across] = semi_axes(c);
   return axis > across ? kDrawnOut * std::pow(axis / across - 1, 2) : kFlattened * (across / axis - 1);
 }
 
-/// Stages of the stepper, which stiff membranes ask for, times the products of one solve, of which unequal
-/// viscosities need more. A product sums over all pairs of vertices; the work at single vertices counts on
-/// coarse meshes. Measured at 162 to 10242 nodes, V = 1 and 4, aspects from 0.1 to 5.
+/// Seconds of a run with boundary integrals: steps, times stages a step (more for stiff membranes), times
+/// matrix-vector products a solution (more for viscosity ratios far from 1). A product sums over all pairs of
+/// vertices; the work at single vertices matters on coarse meshes. Measured at 162 to 10242 nodes, V = 1 and
+/// 4, aspects from 0.1 to 5.
 double stokes_run(const Case& c) {
   constexpr double kPair = 0.13e-9, kNode = 0.35e-6, kStep = 0.1;
   const double nodes = c.fidelity.nodes, images = c.fidelity.symmetry == Symmetry::automatic ? 1 : 4;
@@ -43,7 +44,7 @@ double stokes_run(const Case& c) {
 }
 
 double quasisteady_run(const Case& c) {
-  constexpr double kChosenStep = 0.02;  // where the stepper chooses: of one solve
+  constexpr double kChosenStep = 0.02;  // average step a solution, where the stepper chooses
   const double steps = c.until.kt / (c.fidelity.kdt > 0 ? c.fidelity.kdt : kChosenStep);
   return steps * (c.has_composite_grid() ? composite_step(c) : papers_step(c));
 }
@@ -63,7 +64,7 @@ double cost_of(const Case& c) {
 }  // namespace
 
 double run_cost(const Case& c) {
-  constexpr double kMin = 1e-4, kMax = 1e10;  // beyond, sums over a study would lose the others
+  constexpr double kMin = 1e-4, kMax = 1e10;  // so that sums over a study do not lose small costs to rounding
   return std::clamp(cost_of(c), kMin, kMax);
 }
 

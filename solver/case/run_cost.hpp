@@ -1,12 +1,11 @@
 #pragma once
-// What a run costs, from its case alone: to weigh cases against each other without running them.
+// Estimated computing time of a run, from its case: to compare the cost of cases without running them.
 #include "solver/case/case.hpp"
 
 namespace capstan {
 
-/// Seconds of one core of the machine on which the constants were measured; on another in about the same
-/// proportions. To the end: a run whose class is certain early is cheaper. From 1e-4 to 1e10, whatever the
-/// case.
+/// Seconds on one core of the machine on which the constants were measured. A run that ends early, because
+/// its motion is certain, takes less. Clamped to 1e-4 ... 1e10.
 double run_cost(const Case& c);
 
 }  // namespace capstan

@@ -6,7 +6,8 @@
 
 namespace capstan {
 
-/// Positions, velocities and forces in double precision, and the frame of an HDF5 file; the triangles once.
+/// A file for each shape: positions, velocities and forces in double precision, and the overhead of HDF5. The
+/// triangles are stored once.
 double shapes_size(const Case& c) {
   constexpr double kVertex = 9 * 8, kFile = 4104, kFaces = 27;
   if (c.outputs.shapes_every <= 0) return 0;
@@ -16,14 +17,14 @@ double shapes_size(const Case& c) {
 
 namespace {
 
-/// A line of history.jsonl, and a row of the database.
+/// A line of history.jsonl and a row of the database for each record.
 double history_size(const Case& c) {
   constexpr double kLine = 190, kRow = 110;
   return (kLine + kRow) * (1 + c.until.kt / c.outputs.history_every);
 }
 
-/// The state of the flow, as measured: of a lattice all its cells, of the composite those of the box around
-/// the capsule and of its margins.
+/// Measured sizes of the membrane's and the flow's state: all cells of a uniform lattice, the cells near the
+/// capsule of a composite grid.
 double checkpoint_size(const Case& c) {
   constexpr double kVertex = 108, kCell = 190, kCompositeCell = 450;
   const double membrane = kVertex * c.fidelity.nodes + 10'000;

@@ -1,14 +1,14 @@
 #pragma once
-// How much a run leaves on the disk, before it has run.
+// Estimated disk space of a finished run, from its case.
 #include "solver/case/case.hpp"
 
 namespace capstan {
 
-/// Bytes of the run directory of a finished case and of its rows in the database, within some tens of
-/// percent: its shapes, its history and the one checkpoint that is kept.
+/// Bytes of the run directory of a finished case and of its rows in the database, to some tens of percent:
+/// its shapes, its history and the last checkpoint.
 double run_size(const Case& c);
 
-/// Those of its shapes alone.
+/// Bytes of its shapes.
 double shapes_size(const Case& c);
 
 }  // namespace capstan

@@ -1,5 +1,5 @@
 #pragma once
-// A number in a message.
+// Numbers in messages.
 #include <array>
 #include <charconv>
 #include <sstream>
@@ -7,13 +7,13 @@
 
 namespace capstan {
 
-/// The shortest decimals that read back to the same number.
+/// The shortest decimal form that reads back to the same number.
 inline std::string shown(double number) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
 }
 
-/// To that many significant digits.
+/// The number rounded to some significant digits.
 inline std::string rounded(double number, int digits = 3) {
   std::ostringstream text;
   text.precision(digits);

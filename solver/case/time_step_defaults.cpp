@@ -4,16 +4,17 @@
 #include <cmath>
 
 #include "solver/case/limits.hpp"
+#include "solver/strain_laws/strain_law.hpp"
 
 namespace capstan {
 namespace {
 
-/// Moduli against the flow: of shear and area, and of bending.
+/// Ratio of elastic to viscous forces, for in-plane and for bending deformations.
 struct Stiffness {
   double in_plane, bending;
 };
 
-/// Rounded elements are stiffest where the shape is drawn out, or flat, and the mesh with it.
+/// Factors to the stiffness of a sphere: elongated and flat shapes, and their meshes, have stiffer parts.
 Stiffness stiffness_of_shape(const Case& c) {
   switch (c.shape) {
     case Shape::sphere:
@@ -31,17 +32,18 @@ Stiffness stiffness_of_shape(const Case& c) {
 
 Stiffness stiffness_of_membrane(const Case& c) {
   const Stiffness shape = stiffness_of_shape(c);
-  const double in_plane = c.law == Law::skalak ? 0.75 * (1 + c.C) : 1;
+  const SmallStrainModuli moduli = c.law->moduli(c.law_constants);
+  const double in_plane = 0.75 * (moduli.shear + moduli.area);  // 1 for the neo-Hookean law
   return {in_plane / c.Ca * shape.in_plane, c.E_b / c.Ca * shape.bending};
 }
 
 }  // namespace
 
-// A wave of length l on the membrane is driven by in-plane forces as 1/l^2 and by bending forces as 1/l^4,
-// and the fluid's resistance to it falls as l: so it decays as 1/l and 1/l^3. The shortest wave is a few
-// spacings of the grid, which filters all shorter ones; without a grid it is one of the mesh. The factors
-// were measured by rkc2's power iteration at Ca = 0.1 and kt = 0.1 with 642 nodes, on a grid of dx = 0.2 and
-// without one.
+// A deformation of wavelength l has in-plane forces that scale as 1/l^2 and bending forces that scale as
+// 1/l^4; the viscous mobility scales as l. The decay rates therefore scale as 1/l and 1/l^3. The shortest
+// wavelength is a few spacings of the grid, which filters shorter ones; without a grid it is an edge of the
+// mesh. The factors were measured by the power iteration of rkc2 at Ca = 0.1 and kt = 0.1 with 642 nodes, on
+// a grid of dx = 0.2 and without a grid.
 // clang-format off
 //   sphere                          grid   none   others
 //     neo-Hookean                    2.7     34   none, 2562 nodes: 68
@@ -67,17 +69,20 @@ double fastest_decay(const Case& c) {
 
 namespace {
 
-/// AB2 is stable to 1 / decay rate; what is below leaves room for the stretched membrane.
+/// AB2 is stable up to 1 / decay rate. The factor is a margin for membranes that become stiffer when
+/// stretched.
 constexpr double kStableShare = 0.65;
 
 double stable_kdt(const Case& c) { return kStableShare / fastest_decay(c); }
 
-/// A resolution limit for accuracy; dx^2 enters with the bending stiffness.
+/// Accuracy limit of the time step for a grid spacing; the term dx^2 comes from the bending stiffness.
 double resolved_kdt(double dx) { return std::min(0.4 * dx, 4 * dx * dx); }
 
-/// The last limit is a tenth of what keeps a neo-Hookean sphere stable, a quarter where Skalak's C is 5.
+/// The last limit is 1/10 of the stability limit of a neo-Hookean sphere, and 1/4 of that of a Skalak sphere
+/// with C = 5.
 double accurate_kdt(const Case& c) {
-  const double dx = c.fidelity.dx, area_stiffness = std::max(1.0, (1 + 2 * c.C) / 11);
+  const double dx = c.fidelity.dx,
+               area_stiffness = std::max(1.0, 2 * c.law->moduli(c.law_constants).area / 11);
   if (!c.has_grid()) return 0.02 * std::min(1., c.Ca * std::pow(642. / c.fidelity.nodes, 1.5));
   if (c.fidelity.scheme == Scheme::paper) return std::min(0.4 * c.Ca, 0.02);  // eq. 43
   return std::min(resolved_kdt(dx), 2 * c.Ca * dx / area_stiffness);
@@ -90,7 +95,8 @@ double default_kdt(const Case& c) {
   return std::round(kdt * 1e9) / 1e9;  // 0.08, not 0.08000000000000002
 }
 
-// At a sixteenth of the resolved step (sphere, Ca = 0.0125) both steppers solve about as many flows.
+// Below 1/20 of the resolved step rkc2 needs fewer flow solutions: at 1/16 (sphere, Ca = 0.0125) both need
+// about as many.
 Stepper default_stepper(const Case& c) {
   constexpr double kSmallShare = 1. / 20;
   const bool is_unstable = stable_kdt(c) < accurate_kdt(c);

@@ -1,18 +1,19 @@
 #pragma once
-// How the membrane moves in time where a case file leaves it open: after the stiffness of the membrane.
+// Stepper and time step of the membrane where the case file does not give them, from the stiffness of the
+// membrane.
 #include "solver/case/case.hpp"
 
 namespace capstan {
 
-/// Rate (in k) at which the membrane's fastest mode decays: the stiffness that a time step has to follow. An
-/// estimate for the shape at rest, see the comment in time_step_defaults.cpp.
+/// Decay rate of the membrane's fastest mode, in units of k: explicit time steps are limited by its inverse.
+/// An estimate for the shape at rest; time_step_defaults.cpp derives it.
 double fastest_decay(const Case& c);
 
-/// The time step of ab2: short enough to be accurate and, where the shape does not change much, stable.
+/// Time step of ab2 that is accurate and, as long as the shape does not change much, stable.
 double default_kdt(const Case& c);
 
-/// ab2 on a lattice, as long as its accurate steps are stable; rkc2, which measures the stiffness, for all
-/// others.
+/// ab2 on a lattice if its accurate steps are stable; else rkc2, whose number of stages follows from the
+/// stiffness.
 Stepper default_stepper(const Case& c);
 
 }  // namespace capstan

@@ -9,7 +9,7 @@
 namespace capstan {
 namespace {
 
-/// 2H of the reference, as the model of the case measures it.
+/// #V: 2H of the reference shape, discretised as in the bending model of the case.
 Scalars initial_curvature(const Case& c, const TriangleMesh& mesh, const Points& reference) {
   if (c.bending == BendingModel::variational) return FoldedSurface(mesh, reference).total_curvatures;
   return 2 * fit_quadrics(mesh, reference).mean;

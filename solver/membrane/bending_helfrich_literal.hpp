@@ -3,12 +3,13 @@
 
 namespace capstan {
 
-/// The paper's bending force, eq. 31, term by term. With kappa = -H and the outward normal n the fluid feels
+/// The paper's bending force, eq. 31, term by term. The force on the fluid, with kappa = -H and outward
+/// normal n, is
 ///   P = -f_b A_vor,   f_b = E_B [ (2 kappa + c0) (2 kappa^2 - 2 K - c0 kappa) + 2 Delta kappa ] n.
-/// H and K come from quadric fits, Delta from the cotangent formula. It is not the gradient of any discrete
-/// energy; and with a c0 that varies it lacks Delta c0 and the tangential term: even the initial shape with
-/// c0 "initial" is not at rest. Kept because the paper prints it: which motion a capsule takes depends on the
-/// difference.
+/// H and K come from quadric fits, Delta from the cotangent formula. The force is not the gradient of a
+/// discrete energy. For a c0 that varies over the surface it lacks Delta c0 and the tangential term, so that
+/// the initial shape with c0 "initial" is not in equilibrium. It is kept for comparison with the paper: the
+/// motion of a capsule can depend on the difference.
 class HelfrichLiteralBending final : public Bending {
  public:
   /// \param spontaneous_curvature #V, c0, the preferred 2H   \param modulus E_B

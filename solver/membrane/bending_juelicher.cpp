@@ -5,8 +5,8 @@
 namespace capstan {
 namespace {
 
-/// Of the terms d_i d(2H_i A_i), those in which an edge changes its length: it pulls with d theta, d the mean
-/// over its ends.
+/// Adds the part of -dE that comes from changes of edge lengths l in d_i d(2H_i A_i): each edge has the
+/// tension E_B d theta, where d is the mean of its two ends.
 void add_edge_forces(const TriangleMesh& mesh, const FoldedSurface& surface, const Scalars& d, double modulus,
                      const Points& x, Points& forces) {
   for (size_t e = 0; e < mesh.edges.size(); ++e) {
@@ -18,10 +18,10 @@ void add_edge_forces(const TriangleMesh& mesh, const FoldedSurface& surface, con
   }
 }
 
-/// The terms in which angles and areas change. Lifting a corner off its face unfolds the angle at the
-/// opposite side, and the two ends of that side react by the law of levers; the sum over the three sides is
-/// the cotangent formula for -Delta d along the normal. Half the opposite side, turned inwards, is the
-/// gradient of the area. \param area_weight #V, what the energy gains by A_i
+/// Adds the part of -dE that comes from changes of angles and areas. Moving a corner along the normal of its
+/// face changes the angle at the opposite side; summed over the three sides the force is the cotangent
+/// formula for -Delta d, along the normal. The gradient of the area by a corner is half the opposite side,
+/// rotated into the face. \param area_weight #V, dE/dA_i
 void add_face_forces(const TriangleMesh& mesh, const FoldedSurface& surface, const Scalars& d,
                      const Scalars& area_weight, double modulus, const Points& x, Points& forces) {
   for (Eigen::Index f = 0; f < mesh.faces.cols(); ++f) {

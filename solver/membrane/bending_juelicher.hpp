@@ -3,9 +3,9 @@
 
 namespace capstan {
 
-/// The default model. Forces are the exact gradient of the energy of the folded surface (Jülicher 1996),
+/// The default model. Forces are the exact negative gradient of the discrete energy of Jülicher (1996),
 ///   E = E_B/2 sum_i d_i^2 A_i,   d_i = 2H_i - c_i,   2H_i A_i = sum_edges l theta / 2,
-/// so they hold every term of the variation, also those of a spontaneous curvature that varies.
+/// and therefore include the terms of a spontaneous curvature that varies over the surface.
 class JuelicherBending final : public Bending {
  public:
   /// \param spontaneous_curvature #V, c_i   \param modulus E_B

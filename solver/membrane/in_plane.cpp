@@ -6,9 +6,9 @@
 namespace capstan {
 namespace {
 
-/// F, 3 x 2: where the orthonormal axes of the undeformed plane go. The side (length, 0) becomes x1 - x0, the
-/// height over it x2 - x0 less the part along the side. Charrier's rotation into a common plane drops out of
-/// C = F^T F.
+/// F, 3 x 2: the images of the two orthonormal axes of the undeformed plane. It maps the side (length, 0) to
+/// x1 - x0 and (foot, height) to x2 - x0. Charrier's rotation into a common plane is not needed: it cancels
+/// in C = F^T F.
 struct DeformationGradient {
   Vec3 axis1, axis2;
 
@@ -38,8 +38,8 @@ struct CauchyGreen {
     radius = std::sqrt(d * d + e * e);
   }
 
-  /// The symmetric matrix with the same eigenvectors and the eigenvalues s1, s2, which are equal where C's
-  /// are.
+  /// The symmetric matrix with the eigenvectors of C and the eigenvalues s1, s2. If C has equal eigenvalues,
+  /// s1 and s2 must be equal, too.
   SymmetricMatrix with_eigenvalues(double s1, double s2) const {
     const double middle = (s1 + s2) / 2;
     const double scale = radius > 0 ? (s1 - s2) / (2 * radius) : 0;
@@ -49,9 +49,9 @@ struct CauchyGreen {
 
 }  // namespace
 
-InPlaneElasticity::InPlaneElasticity(const Faces& faces, const Points& reference,
-                                     std::unique_ptr<StrainLaw> law, double modulus)
-    : law_(std::move(law)), modulus_(modulus) {
+InPlaneElasticity::InPlaneElasticity(const Faces& faces, const Points& reference, const StrainLaw& law,
+                                     LawConstants constants, double modulus)
+    : law_(law), constants_(std::move(constants)), modulus_(modulus) {
   elements_.reserve(static_cast<size_t>(faces.cols()));
   for (const auto& face : faces.colwise()) elements_.push_back(make_element(face, reference));
 }
@@ -79,11 +79,11 @@ Principal InPlaneElasticity::stretches(const Points& positions) const {
   return squares.sqrt();
 }
 
-// dE = E_s A0 (F S) : dF with the second Piola-Kirchhoff tension S, whose principal values are
-// dW/dlambda_i / lambda_i: eq. 29 without the detour over displacements in a common plane.
+// dE = E_s A0 (F S) : dF, where S is the second Piola-Kirchhoff tension with the principal values
+// dW/dlambda_i / lambda_i. This is eq. 29, without displacements in a common plane.
 void InPlaneElasticity::add_forces(const Points& positions, Points& forces) const {
   const Principal lambda = stretches(positions);
-  const Principal tension = law_->derivatives(lambda) / lambda;
+  const Principal tension = law_.derivatives(lambda, constants_) / lambda;
   for (size_t face = 0; face < elements_.size(); ++face) {
     const Element& element = elements_[face];
     const DeformationGradient F(element, positions);
@@ -100,7 +100,7 @@ void InPlaneElasticity::add_forces(const Points& positions, Points& forces) cons
 }
 
 double InPlaneElasticity::energy(const Points& positions) const {
-  const Eigen::ArrayXd density = law_->energy(stretches(positions));
+  const Eigen::ArrayXd density = law_.energy(stretches(positions), constants_);
   double sum = 0;
   for (size_t face = 0; face < elements_.size(); ++face) sum += elements_[face].area * density[face];
   return modulus_ * sum;

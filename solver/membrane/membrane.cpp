@@ -5,8 +5,8 @@
 namespace capstan {
 namespace {
 
-/// The force on a vertex depends on the curvature at its neighbours, and that on all faces around them.
-/// Bending read literally fits surfaces to rings, and wants the whole.
+/// The bending force at a vertex depends on the curvature at its neighbours, which depends on the faces
+/// around these. helfrich_literal needs the whole surface for its quadric fits.
 constexpr int kRings = 2;
 
 }  // namespace
@@ -15,7 +15,7 @@ Membrane::Membrane(const Case& c, const TriangleMesh& mesh, const Points& refere
     : orbits_(c.bending == BendingModel::variational ? std::move(orbits)
                                                      : Orbits::without_symmetry(mesh.vertex_count())),
       patch_(patch_around(orbits_.representatives(), kRings, mesh)),
-      in_plane_(patch_.mesh.faces, patch_.restrict(reference), make_strain_law(c), 1 / c.Ca),
+      in_plane_(patch_.mesh.faces, patch_.restrict(reference), *c.law, c.law_constants, 1 / c.Ca),
       bending_(make_bending(c, patch_.mesh, spontaneous_curvature(c, mesh, reference)(patch_.vertices),
                             c.E_b / c.Ca)) {}
 

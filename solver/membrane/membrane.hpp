@@ -1,7 +1,6 @@
 #pragma once
-// The elastic capsule wall: everything it does to the fluid. Units a = k = mu_a = 1: E_s = 1/Ca, E_B =
-// E_b/Ca. Of a capsule with symmetry a quarter of the wall is computed, the forces of the rest are its
-// images.
+// Elastic forces of the membrane on the fluid, in units a = k = mu_a = 1: E_s = 1/Ca, E_B = E_b/Ca. For a
+// symmetric capsule the forces are computed on a quarter of the membrane and mapped to the rest.
 #include <memory>
 #include <optional>
 
@@ -16,22 +15,22 @@ namespace capstan {
 class Membrane {
  public:
   /// \param reference 3 x #V, the stress-free shape: the capsule's initial one
-  /// \param orbits    of it, and of all positions to come
+  /// \param orbits    of the reference and of all positions to come
   Membrane(const Case& c, const TriangleMesh& mesh, const Points& reference, Orbits orbits);
 
-  /// Forces of the membrane on the fluid, 3 x #V, integrated over each vertex's share. A collapsed triangle
-  /// gives numbers that are not finite.
+  /// Force of the membrane on the fluid at each vertex, 3 x #V, in units of mu_a k a^2. Not finite if the
+  /// positions are not, or if a triangle has collapsed (with bending or the neo-Hookean law).
   void forces(const Points& positions, Points& forces) const;
 
-  /// The energy whose negative gradient the forces are; none with bending read literally from eq. 31, or of a
-  /// quarter.
+  /// The energy whose negative gradient the forces are. Nothing for the bending model helfrich_literal, which
+  /// has no energy, and where a quarter of the membrane is computed.
   std::optional<double> energy(const Points& positions) const;
 
  private:
   Orbits orbits_;
-  SurfacePatch patch_;  ///< with complete rings around the neighbours of the representatives
+  SurfacePatch patch_;  ///< two rings of faces around the representatives
   InPlaneElasticity in_plane_;
-  std::unique_ptr<Bending> bending_;  ///< nothing when E_b = 0
+  std::unique_ptr<Bending> bending_;  ///< nullptr if E_b = 0
 };
 
 }  // namespace capstan

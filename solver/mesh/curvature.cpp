@@ -5,10 +5,10 @@
 namespace capstan {
 namespace {
 
-/// One face, all that the cotangent formula asks of it.
+/// The geometry of one face as the cotangent formula needs it.
 struct CotangentFace {
-  std::array<Vec3, 3> opposite;  ///< of each corner the side that it looks at, counter-clockwise
-  Vec3 cotangents;               ///< of the corners' angles
+  std::array<Vec3, 3> opposite;  ///< side opposite to each corner, counter-clockwise
+  Vec3 cotangents;               ///< of the angles at the corners
   double area;
 
   CotangentFace(const Points& x, const Eigen::Vector3i& face) {
@@ -20,7 +20,7 @@ struct CotangentFace {
     area = twice_area / 2;
   }
 
-  /// The share of each corner in the area.
+  /// Mixed Voronoi area of each corner; the three sum up to the area of the face.
   Vec3 shares() const {
     for (int obtuse : {0, 1, 2})
       if (cotangents[obtuse] < 0) {
@@ -34,7 +34,8 @@ struct CotangentFace {
   }
 };
 
-/// Of k functions at once, k x #V: what flows into each vertex along its edges, over its area.
+/// The Laplace-Beltrami operator applied to k functions, k x #V: the sum of the fluxes along the edges into
+/// each vertex over its mixed area.
 template <int k>
 Eigen::Matrix<double, k, Eigen::Dynamic> laplacian(const Faces& faces, const Points& positions,
                                                    const Eigen::Matrix<double, k, Eigen::Dynamic>& values) {

@@ -1,5 +1,5 @@
 #pragma once
-// The triangulated surface taken at its word: flat faces, all curvature in the folds along their edges.
+// Curvature of a polyhedral surface: faces are flat, the curvature is concentrated at their edges.
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {
@@ -11,10 +11,11 @@ struct FoldedSurface {
   Scalars face_areas;    ///< #F
   Scalars vertex_areas;  ///< #V: A_i, a third of the areas of the faces around i
   Scalars lengths;       ///< #E: l
-  Scalars angles;  ///< #E: theta between the normals of the two faces, positive where the surface is convex
+  Scalars angles;        ///< #E: theta between the normals of the two faces, > 0 at convex edges
 
-  /// #V: 2H_i = 1/A_i sum_edges l theta / 2, the curvature of Jülicher (J. Phys. II 6, 1797, 1996). Positive
-  /// on a sphere. Integrals of it converge; pointwise it is noisy where the faces are irregular.
+  /// #V: 2H_i = 1/A_i sum_edges l theta / 2, after Jülicher (J. Phys. II 6, 1797, 1996). Positive on a
+  /// sphere. Its integrals converge with the mesh; its values at vertices are noisy where the faces are
+  /// irregular.
   Scalars total_curvatures;
 };
 

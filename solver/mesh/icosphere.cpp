@@ -13,7 +13,7 @@ struct Triangulation {
   std::vector<std::array<int, 3>> faces;
 };
 
-/// (0, +-1, +-phi) and the cyclic permutations: the orientation that has the coordinate mirrors.
+/// (0, +-1, +-phi) and the cyclic permutations. In this orientation the coordinate planes are mirror planes.
 std::vector<Vec3> icosahedron_vertices() {
   std::vector<Vec3> vertices;
   for (double s : {1.0, -1.0})
@@ -25,7 +25,8 @@ std::vector<Vec3> icosahedron_vertices() {
   return vertices;
 }
 
-/// Its faces are the triples of vertices that are an edge (of length 2) apart, turned outwards.
+/// Its faces are the triples of vertices at a distance of one edge, which has the length 2, oriented
+/// outwards.
 Triangulation icosahedron() {
   Triangulation result{icosahedron_vertices(), {}};
   std::vector<Vec3>& x = result.vertices;
@@ -43,8 +44,8 @@ Triangulation icosahedron() {
   return result;
 }
 
-/// Splits every face into four at the midpoints of its edges, pushed out to the sphere. Sums of two numbers
-/// commute and change sign exactly, so the mirrors survive rounding.
+/// Splits every face into four at the midpoints of its edges, which are projected onto the sphere. The
+/// floating-point sum of two numbers is commutative and odd, so the reflections stay exact.
 Triangulation subdivided(Triangulation coarse) {
   Triangulation fine{std::move(coarse.vertices), {}};
   std::map<std::pair<int, int>, int> midpoints;

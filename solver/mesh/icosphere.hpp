@@ -1,6 +1,6 @@
 #pragma once
-// A nearly uniform triangulation of the unit sphere: an icosahedron, its faces split into four again and
-// again.
+// A nearly uniform triangulation of the unit sphere: an icosahedron whose faces are repeatedly split into
+// four.
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {
@@ -10,8 +10,9 @@ struct Icosphere {
   TriangleMesh mesh;
 };
 
-/// 10 * 4^subdivisions + 2 vertices. The mirrors x -> -x, y -> -y, z -> -z map vertices and faces onto each
-/// other without any rounding: a start in the plane of shear has the symmetry of the flow to the last bit.
+/// The sphere with 10 * 4^subdivisions + 2 vertices. The reflections x -> -x, y -> -y and z -> -z map
+/// vertices and faces onto each other without rounding, so that a capsule made from it has the symmetry of
+/// the flow exactly.
 Icosphere make_icosphere(int subdivisions);
 
 }  // namespace capstan

@@ -11,10 +11,10 @@ namespace {
 using Key = std::array<double, 3>;
 Key key(const Vec3& x) { return {x[0], x[1], x[2]}; }
 
-/// Mirror z -> -z, half-turn about z, and both.
+/// Signs of (x, y, z) under the reflection z -> -z, the rotation by pi about z, and both.
 const std::array<Vec3, 3> kSymmetries = {Vec3(1, 1, -1), Vec3(-1, -1, 1), Vec3(-1, -1, -1)};
 
-/// The quarter that has one image of every point.
+/// A quarter of space that has exactly one point of each orbit.
 bool is_in_quarter(const Vec3& x) { return x.z() >= 0 && (x.y() > 0 || (x.y() == 0 && x.x() >= 0)); }
 
 std::map<Key, int> vertices_by_position(const Points& positions) {
@@ -41,7 +41,7 @@ Orbits Orbits::of(const Points& positions) {
       if (image.slot < 0)
         image = {slot, signs};
       else
-        image.signs = 0.5 * (image.signs + signs);  // its own image twice: only what agrees is possible
+        image.signs = 0.5 * (image.signs + signs);  // on the mirror plane or axis: conflicting signs give 0
     }
   }
   const auto is_alone = [](const Image& image) { return image.slot < 0; };

@@ -1,35 +1,38 @@
 #pragma once
-// The symmetry of a capsule that starts in the plane of shear. The flow (y, 0, 0) is unchanged by the mirror
-// z -> -z and by the half-turn about z, and so is the capsule for ever: a quarter of its vertices knows all.
+// The symmetry of a capsule whose axis lies in the plane of shear. The shear flow (y, 0, 0) is invariant
+// under the reflection z -> -z and the rotation by pi about z. A capsule that starts with this symmetry keeps
+// it, so a quarter of its vertices determines the others.
 #include <vector>
 
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {
 
-/// The vertices in groups whose members are images of each other; one of each group stands for all.
+/// The orbits of the vertices under the symmetry group: sets of vertices that are images of each other. Each
+/// orbit has one representative.
 class Orbits {
  public:
-  /// The groups of a surface that has the symmetry to the last bit; of any other surface each vertex is its
-  /// own. \param positions 3 x #V
+  /// The orbits of a surface that has the symmetry exactly, without rounding; else each vertex is an orbit of
+  /// its own. \param positions 3 x #V
   static Orbits of(const Points& positions);
-  /// No symmetry: every vertex stands for itself.
+  /// Each vertex is an orbit of its own.
   static Orbits without_symmetry(int vertex_count);
 
-  /// All in one quarter of space, so that they are neighbours of each other.
+  /// One vertex of each orbit. All lie in one quarter of space, so that they form a connected part of the
+  /// surface.
   const std::vector<int>& representatives() const { return representatives_; }
   int vertex_count() const { return int(images_.size()); }
-  /// Vertices of one group: 4, or fewer on the mirror or the axis.
+  /// Number of vertices in one orbit: 4, or fewer on the mirror plane and the axis.
   int size(int representative) const { return sizes_[representative]; }
 
-  /// 3 x #representatives, or more columns behind theirs, to 3 x #V: vectors of the representatives turned
-  /// onto their images. What a vertex on the mirror or the axis cannot have (a velocity out of the plane) is
-  /// set to zero.
+  /// Vectors at all vertices, 3 x #V, from those at the representatives, 3 x #representatives (further
+  /// columns are ignored). Components that the symmetry forbids at a vertex on the mirror plane or the axis
+  /// are set to zero.
   Points extend(const Points& of_representatives) const;
-  /// Likewise to #V: numbers that are the same in images.
+  /// Scalars at all vertices, #V, from those at the representatives.
   Scalars extend_scalars(const Scalars& of_representatives) const;
 
-  /// 3 x #V to 3 x #representatives.
+  /// Vectors at the representatives, 3 x #representatives, from those at all vertices.
   Points restrict(const Points& of_vertices) const { return of_vertices(Eigen::all, representatives_); }
 
   bool are_trivial() const { return int(representatives_.size()) == vertex_count(); }
@@ -38,12 +41,12 @@ class Orbits {
   void count_sizes();
 
   struct Image {
-    int slot;    ///< which representative
-    Vec3 signs;  ///< +-1 a component, 0 where the vertex is its own image with the other sign
+    int slot;    ///< index of the representative
+    Vec3 signs;  ///< of the components of a vector under the symmetry: +-1, or 0 where both signs occur
   };
   std::vector<int> representatives_;
-  std::vector<Image> images_;  ///< of each vertex
-  std::vector<int> sizes_;     ///< of each group
+  std::vector<Image> images_;  ///< #V
+  std::vector<int> sizes_;     ///< #representatives
 };
 
 }  // namespace capstan

@@ -8,10 +8,10 @@
 namespace capstan {
 namespace {
 
-/// a, b, c, d, e of the fit.
+/// a, b, c, d, e of the quadric.
 using Coefficients = Eigen::Matrix<double, 5, 1>;
 
-/// Orthonormal; the third column is the normal.
+/// An orthonormal frame whose third column is the normal.
 Eigen::Matrix3d frame_about(const Vec3& normal) {
   Eigen::Matrix3d frame;
   frame.col(2) = normal;
@@ -20,7 +20,7 @@ Eigen::Matrix3d frame_about(const Vec3& normal) {
   return frame;
 }
 
-/// Lengths are measured in `size`, about an edge, so that the normal equations are well conditioned.
+/// Lengths are divided by `size`, about one edge, so that the normal equations are well conditioned.
 Coefficients fit(const std::vector<int>& ring, const Vec3& centre, const Eigen::Matrix3d& frame, double size,
                  const Points& positions) {
   Eigen::Matrix<double, 5, 5> normal_matrix = Eigen::Matrix<double, 5, 5>::Zero();

@@ -1,5 +1,5 @@
 #pragma once
-// The smooth surface near each vertex: a quadric through it, fitted to its neighbours
+// Normal and curvatures of the smooth surface at each vertex, from a quadric that is fitted to its neighbours
 // (Garimella and Swartz, LA-UR-03-8240, 2003).
 #include "solver/mesh/triangle_mesh.hpp"
 
@@ -11,9 +11,9 @@ struct QuadricFit {
   Scalars gaussian;  ///< #V: K = k1 k2
 };
 
-/// In a frame at the vertex whose third axis is the vertex normal the surface is
-///   z = a x^2 + b x y + c y^2 + d x + e y,
-/// least squares over the one-ring; five neighbours determine it, six over-determine it.
+/// Fits the quadric  z = a x^2 + b x y + c y^2 + d x + e y  to the one-ring of each vertex by least squares,
+/// in a frame at the vertex whose third axis is the vertex normal. Five neighbours determine the coefficients
+/// exactly.
 QuadricFit fit_quadrics(const TriangleMesh& mesh, const Points& positions);
 
 }  // namespace capstan

@@ -27,8 +27,8 @@ Points scaled_to_volume_of_unit_sphere(Points positions, const Faces& faces) {
   return positions;
 }
 
-/// Turns about z by +pi/4 (the x axis goes to the diagonal) or by -pi/4 (the y axis does). Written out
-/// because sums change sign exactly: the half-turn symmetry about z survives rounding.
+/// Rotates about z by +pi/4, which takes the x axis to the diagonal, or by -pi/4, which takes the y axis
+/// there. With sine and cosine of equal size, opposite points stay exactly opposite after rounding.
 Points turned_by_eighth(const Points& positions, bool x_to_diagonal) {
   constexpr double kSin = 1 / std::numbers::sqrt2;
   const double sine = x_to_diagonal ? kSin : -kSin;

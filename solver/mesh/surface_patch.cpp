@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kNone = -1;
 
-/// Where each vertex of the whole stands in the patch; vertices get a place when they are first met.
+/// Numbers the vertices of the patch in the order in which they are added.
 class Places {
  public:
   explicit Places(int vertex_count) : places_(std::size_t(vertex_count), kNone) {}
@@ -36,7 +36,7 @@ SurfacePatch patch_around(const std::vector<int>& centres, int rings, const Tria
   Places places(whole.vertex_count());
   for (int centre : centres) places.add(centre);
   for (int ring = 1; ring < rings; ++ring) add_neighbours(whole, places);
-  const int complete = int(places.vertices().size());  // those before it have all their faces in the patch
+  const int complete = int(places.vertices().size());  // vertices before it have all their faces in the patch
   add_neighbours(whole, places);
 
   SurfacePatch patch{places.vertices(), {}};

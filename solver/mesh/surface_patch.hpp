@@ -1,5 +1,5 @@
 #pragma once
-// A part of a triangulated surface: some vertices with all that stands around them.
+// A part of a triangulated surface: some vertices and a number of rings of faces around them.
 #include <vector>
 
 #include "solver/mesh/triangle_mesh.hpp"
@@ -7,17 +7,17 @@
 namespace capstan {
 
 struct SurfacePatch {
-  std::vector<int> vertices;  ///< of the whole surface, in the order of the patch's own
-  /// Edges inside the patch, and the one-rings of the vertices that have all their faces in it; empty ones of
-  /// the others.
+  std::vector<int> vertices;  ///< index in the whole surface of each vertex of the patch
+  /// Faces of the patch, edges between two of them, and one-rings. Vertices that have faces outside the patch
+  /// have empty one-rings.
   TriangleMesh mesh;
 
-  /// 3 x #V of the whole surface to 3 x #vertices.
+  /// Vectors at the vertices of the patch, 3 x #vertices, from those of the whole surface, 3 x #V.
   Points restrict(const Points& of_whole) const { return of_whole(Eigen::all, vertices); }
 };
 
-/// The faces around `centres` and, for each further ring, those around the vertices met so far. The centres
-/// come first, in their order.
+/// The patch of all faces around `centres` and, for each further ring, of all faces around the vertices that
+/// the patch has so far. The centres are its first vertices, in the given order.
 SurfacePatch patch_around(const std::vector<int>& centres, int rings, const TriangleMesh& whole);
 
 }  // namespace capstan

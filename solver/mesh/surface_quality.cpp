@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Of a face without area: none, as far from its neighbours' as a right angle.
+/// 3 x #F. A face without area has the normal 0, which counts as a right angle to its neighbours'.
 Points unit_normals(const TriangleMesh& mesh, const Points& positions) {
   const Points areas = face_area_vectors(positions, mesh.faces);
   const Eigen::RowVectorXd sizes = areas.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
@@ -22,7 +22,7 @@ Points unit_normals(const TriangleMesh& mesh, const Points& positions) {
 
 double degrees_of_cosine(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree; }
 
-/// The cosine of the smallest angle, which lies opposite to the shortest edge.
+/// Cosine of the smallest angle of a triangle, which is opposite to its shortest edge.
 double sharpest_corner(const Vec3& a, const Vec3& b, const Vec3& c) {
   std::array<double, 3> squares = {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
   std::ranges::sort(squares);

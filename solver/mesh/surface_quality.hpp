@@ -1,23 +1,23 @@
 #pragma once
-// How well flat triangles stand for a smooth membrane: a mesh resolves a surface whose neighbouring faces
-// nearly share a plane. A membrane under compression without bending stiffness crumples down to the size of
-// the triangles; what it does then is a property of the mesh.
+// How well a triangulation resolves a smooth membrane: the angle between neighbouring faces must be small. A
+// membrane under compression without bending stiffness wrinkles down to the size of the triangles; such a
+// result depends on the mesh.
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {
 
-inline constexpr double kFoldedEdge = 60;  ///< degrees; smooth surfaces have 6 to 18 with 642 vertices
+inline constexpr double kFoldedEdge = 60;  ///< degrees; edges of smooth shapes with 642 vertices have 6 to 18
 
 struct SurfaceQuality {
-  double largest_dihedral = 0;  ///< degrees between the normals of two neighbouring faces
-  double folded_edges = 0;      ///< share of the edges whose angle is above kFoldedEdge
-  double smallest_angle = 60;   ///< of a triangle, degrees
+  double largest_dihedral = 0;  ///< largest angle between the normals of two neighbouring faces, degrees
+  double folded_edges = 0;      ///< fraction of the edges with an angle above kFoldedEdge
+  double smallest_angle = 60;   ///< smallest angle of a triangle, degrees
   bool operator==(const SurfaceQuality&) const = default;
 };
 
 SurfaceQuality surface_quality(const TriangleMesh& mesh, const Points& positions);
 
-/// The worse of each.
+/// The larger angle, the larger fraction and the smaller angle of the two.
 SurfaceQuality worst_of(const SurfaceQuality& a, const SurfaceQuality& b);
 
 }  // namespace capstan

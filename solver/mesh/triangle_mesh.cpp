@@ -7,7 +7,7 @@
 namespace capstan {
 namespace {
 
-/// One side of a face, walked counter-clockwise, and the corner it does not touch.
+/// A side of a face: the face and its corner opposite to the side.
 struct Side {
   int opposite;
   int face;

@@ -1,5 +1,5 @@
 #pragma once
-// A closed, oriented triangle mesh: who is joined to whom. Positions live beside it, in Points.
+// Topology of a closed, oriented triangle mesh. Vertex positions are stored separately, as Points.
 #include <Eigen/Geometry>
 #include <array>
 #include <vector>
@@ -7,12 +7,13 @@
 namespace capstan {
 
 using Vec3 = Eigen::Vector3d;
-using Points = Eigen::Matrix3Xd;  ///< 3 x #V, one column a vertex: positions / a, velocities / (a k), forces
+using Points = Eigen::Matrix3Xd;  ///< 3 x #V, a vector at each vertex: positions / a, velocities / (a k),
+                                  ///< forces / (mu_a k a^2)
 using Faces = Eigen::Matrix3Xi;   ///< 3 x #F, counter-clockwise seen from outside
-using Scalars = Eigen::VectorXd;  ///< one number a vertex (or a face)
+using Scalars = Eigen::VectorXd;  ///< #V or #F, a number at each vertex or face
 
-/// An inner edge with its two triangles: (vertices[0], vertices[1], opposite[0]) has the orientation of
-/// face[0], (vertices[1], vertices[0], opposite[1]) that of face[1].
+/// An edge with its two faces: (vertices[0], vertices[1], opposite[0]) is faces[0] and (vertices[1],
+/// vertices[0], opposite[1]) is faces[1], both counter-clockwise.
 struct Edge {
   std::array<int, 2> vertices;
   std::array<int, 2> opposite;

@@ -6,6 +6,7 @@
 #include "solver/case/choose_fluid.hpp"
 #include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
+#include "solver/strain_laws/strain_law.hpp"
 
 namespace capstan {
 namespace {
@@ -47,14 +48,9 @@ std::string advice_on_folds(const Case& c, const SurfaceQuality& surface) {
          remedy + ".";
 }
 
-/// The compressive tension of Skalak's law grows down to a stretch of 1/sqrt(3) and decreases below it. Only
-/// the area term, with C, resists further compression.
 std::string advice_on_collapse(const Case& c, const SurfaceQuality& surface) {
-  constexpr double kSmallC = 0.5;
-  if (c.law == Law::skalak && c.C < kSmallC)
-    return "Skalak's law with C = " + rounded(c.C) +
-           " loses its resistance where the membrane is compressed to less than 0.58: raise C to 0.5 or "
-           "more, or lower Ca.";
+  if (c.law->advice_on_collapse)
+    if (std::string advice = c.law->advice_on_collapse(c.law_constants); !advice.empty()) return advice;
   if (!(surface.smallest_angle < kCollapsed)) return "";
   return "Triangles of the membrane have collapsed (an angle of " + rounded(surface.smallest_angle) +
          " degrees): raise E_b, lower Ca, or take more nodes.";

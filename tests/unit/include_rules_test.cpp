@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 
 /// From the bottom up. A folder may include itself and those before it: so no circles.
 const std::vector<std::string> kOrder = {
-    "solver/grid",      "solver/case",          "solver/state",    "solver/mesh",   "solver/membrane",
-    "solver/observe",   "solver/run_directory", "solver/coupling", "solver/fluid",  "solver/simulation",
-    "solver/output",    "solver/baseline",      "runner/study",    "runner/store",  "runner/queue",
-    "runner/recording", "runner/queries",       "runner/render",   "runner/daemon", "runner/doctor",
-    "runner/web",       "runner/worker",        "runner/cli"};
+    "solver/grid",       "solver/strain_laws", "solver/case",          "solver/state",    "solver/mesh",
+    "solver/membrane",   "solver/observe",     "solver/run_directory", "solver/coupling", "solver/fluid",
+    "solver/simulation", "solver/output",      "solver/baseline",      "runner/study",    "runner/store",
+    "runner/queue",      "runner/recording",   "runner/queries",       "runner/render",   "runner/daemon",
+    "runner/doctor",     "runner/web",         "runner/worker",        "runner/cli"};
 
 /// Place in the order; nothing for a folder that has none.
 std::optional<std::size_t> place_of(const std::string& folder) {

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "solver/case/parse.hpp"
+
 namespace capstan {
 namespace {
 
@@ -16,79 +18,79 @@ using ::testing::IsEmpty;
 
 Issues issues_of(const char* text) { return parse_case(json::parse(text)).issues; }
 
-auto fault_at(const char* pointer, const char* words) {
+auto issue_at(const char* pointer, const char* words) {
   return Contains(AllOf(Field(&Issue::pointer, pointer), Field(&Issue::message, HasSubstr(words))));
 }
 
 TEST(Limits, TimesBelowTheirResolutionAreRefused) {
   EXPECT_THAT(issues_of(R"({"Ca": 0.1, "outputs": {"history_every": 1e-18}})"),
-              fault_at("/outputs/history_every", "1e-06"));
+              issue_at("/outputs/history_every", "1e-06"));
   EXPECT_THAT(issues_of(R"({"Ca": 0.1, "outputs": {"shapes_every": 1e-18}})"),
-              fault_at("/outputs/shapes_every", "1e-06"));
-  EXPECT_THAT(issues_of(R"({"Ca": 0.1, "until": {"kt": 1e-18}})"), fault_at("/until/kt", "1e-06"));
+              issue_at("/outputs/shapes_every", "1e-06"));
+  EXPECT_THAT(issues_of(R"({"Ca": 0.1, "until": {"kt": 1e-18}})"), issue_at("/until/kt", "1e-06"));
   EXPECT_THAT(issues_of(R"({"Ca": 0.1, "fluid": "stokes", "fidelity": {"stepper": "ab2", "kdt": 1e-18}})"),
-              fault_at("/fidelity/kdt", "1e-06"));
+              issue_at("/fidelity/kdt", "1e-06"));
   EXPECT_THAT(
       issues_of(
           R"({"Ca": 0.1, "fluid": "transient", "Re": 1e-5, "until": {"kt": 0.1}, "fidelity": {"dx": 0.1}})"),
-      fault_at("/Re", "raise Re or dx"));
+      issue_at("/Re", "raise Re or dx"));
 }
 
 TEST(Limits, RunsOfTooManyStepsAreRefusedWithTheKeyToChange) {
-  EXPECT_THAT(issues_of(R"({"Ca": 0.1, "fluid": "transient", "Re": 1e-6})"), fault_at("/Re", "time steps"));
+  EXPECT_THAT(issues_of(R"({"Ca": 0.1, "fluid": "transient", "Re": 1e-6})"), issue_at("/Re", "time steps"));
   EXPECT_THAT(
       issues_of(R"({"Ca": 0.1, "fluid": "stokes", "until": {"kt": 10000}, "outputs": {"history_every": 1},
                             "fidelity": {"stepper": "ab2", "kdt": 1e-6}})"),
-      fault_at("/fidelity/kdt", "1e+10 time steps"));
+      issue_at("/fidelity/kdt", "1e+10 time steps"));
 }
 
 TEST(Limits, ATransientFlowThatIsTooFastForItsLatticeOrItsMembraneIsRefused) {
   EXPECT_THAT(issues_of(R"({"Ca": 0.1, "Re": 10, "fidelity": "fast"})"),
-              fault_at("/Re", "lower Re, dx or box"));
+              issue_at("/Re", "lower Re, dx or box"));
   EXPECT_THAT(issues_of(R"({"Ca": 0.0017, "law": "skalak", "C": 134, "Re": 3, "fidelity": "fast"})"),
-              fault_at("/Ca", "raise Ca"));
+              issue_at("/Ca", "raise Ca"));
   EXPECT_THAT(issues_of(R"({"Ca": 0.1, "Re": 3, "fidelity": "fast"})"), IsEmpty());
 }
 
 TEST(Limits, RunsOfTooManyRecordsOrShapesAreRefused) {
   EXPECT_THAT(issues_of(R"({"Ca": 0.1, "until": {"kt": 10000}, "outputs": {"history_every": 1e-3}})"),
-              fault_at("/outputs/history_every", "1e+07 records"));
+              issue_at("/outputs/history_every", "1e+07 records"));
   EXPECT_THAT(issues_of(R"({"Ca": 0.1, "outputs": {"shapes_every": 1e-5}})"),
-              fault_at("/outputs/shapes_every", "3e+06 shapes"));
+              issue_at("/outputs/shapes_every", "3e+06 shapes"));
   EXPECT_THAT(
       issues_of(
           R"({"Ca": 0.1, "fluid": "stokes", "outputs": {"shapes_every": 1e-3}, "fidelity": {"nodes": 40962}})"),
-      fault_at("/outputs/shapes_every", "GB of shapes"));
+      issue_at("/outputs/shapes_every", "GB of shapes"));
 }
 
 TEST(Limits, GridsThatDoNotFitIntoMemoryAreRefused) {
   for (const char* text :
        {R"({"Ca": 0.1, "fidelity": {"scheme": "paper", "dx": 0.02, "box": 20.48}, "fluid": "quasisteady"})",
         R"({"Ca": 0.1, "fluid": "transient", "fidelity": {"dx": 0.02, "box": 20.48}})"})
-    EXPECT_THAT(issues_of(text), fault_at("/fidelity", "GB of memory")) << text;
+    EXPECT_THAT(issues_of(text), issue_at("/fidelity", "GB of memory")) << text;
 }
 
 TEST(Limits, RunsThatTakeMoreThanAYearAreRefused) {
   EXPECT_THAT(
       issues_of(
           R"({"Ca": 0.0001, "fluid": "stokes", "until": {"kt": 10000}, "fidelity": {"nodes": 40962, "symmetry": "none"}})"),
-      fault_at("/until/kt", "days of computing"));
+      issue_at("/until/kt", "days of computing"));
 }
 
 TEST(Limits, ABoxMustHoldTheCapsuleAsTheFlowDrawsItOut) {
   const char* prolate =
       R"({"Ca": 0.05, "fluid": "quasisteady", "shape": "prolate", "aspect": 5, "fidelity": {"dx": 0.1, "box": 4.8}})";
-  EXPECT_THAT(issues_of(prolate), fault_at("/fidelity/box", "larger box"));
+  EXPECT_THAT(issues_of(prolate), issue_at("/fidelity/box", "larger box"));
   EXPECT_THAT(issues_of(R"({"Ca": 1, "fluid": "transient", "fidelity": {"dx": 0.1, "box": 4.8}})"),
-              fault_at("/fidelity/box", "larger box"));
-  EXPECT_THAT(issues_of(R"({"Ca": 4, "fluid": "quasisteady"})"), fault_at("/fidelity/box", "stokes"));
+              issue_at("/fidelity/box", "larger box"));
+  EXPECT_THAT(issues_of(R"({"Ca": 4, "fluid": "quasisteady"})"), issue_at("/fidelity/box", "stokes"));
   EXPECT_THAT(issues_of(R"({"Ca": 4, "fluid": "quasisteady", "until": {"kt": 1}})"), IsEmpty());
   EXPECT_THAT(issues_of(R"({"Ca": 1, "fluid": "quasisteady"})"), IsEmpty());
 }
 
 TEST(Limits, ToleranceBelowTheRoundingOfTheGridIsRefused) {
   EXPECT_THAT(issues_of(R"({"Ca": 0.1, "fluid": "quasisteady", "fidelity": {"tolerance": 1e-12}})"),
-              fault_at("/fidelity/tolerance", "precision double"));
+              issue_at("/fidelity/tolerance", "precision double"));
   EXPECT_THAT(
       issues_of(
           R"({"Ca": 0.1, "fluid": "quasisteady", "fidelity": {"tolerance": 1e-12, "precision": "double"}})"),

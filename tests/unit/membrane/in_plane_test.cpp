@@ -4,11 +4,10 @@
 
 #include <cmath>
 
-#include "solver/membrane/neo_hookean.hpp"
-#include "solver/membrane/skalak.hpp"
 #include "solver/mesh/geometry.hpp"
 #include "solver/mesh/icosphere.hpp"
 #include "tests/support/forces.hpp"
+#include "tests/support/materials.hpp"
 
 namespace capstan {
 namespace {
@@ -19,9 +18,9 @@ struct Capsule {
   Icosphere sphere;
   InPlaneElasticity elasticity;
 
-  Capsule(int subdivisions, std::unique_ptr<StrainLaw> law)
+  Capsule(int subdivisions, const Material& material)
       : sphere(make_icosphere(subdivisions)),
-        elasticity(sphere.mesh.faces, sphere.directions, std::move(law), 2.5) {}
+        elasticity(sphere.mesh.faces, sphere.directions, *material.law, material.constants, 2.5) {}
 
   Points forces(const Points& positions) const {
     Points f = Points::Zero(3, positions.cols());
@@ -30,14 +29,11 @@ struct Capsule {
   }
 };
 
-std::unique_ptr<StrainLaw> law(bool skalak) {
-  if (skalak) return std::make_unique<Skalak>(5);
-  return std::make_unique<NeoHookean>();
-}
+Material neo_hookean() { return {find_strain_law("neo-hookean"), {}}; }
 
-class InPlane : public ::testing::TestWithParam<bool> {
+class InPlane : public ::testing::TestWithParam<Material> {
  protected:
-  Capsule capsule{2, law(GetParam())};
+  Capsule capsule{2, GetParam()};
   /// Stretched, sheared and bumped.
   Points deformed() const {
     Eigen::Matrix3d shear;
@@ -46,8 +42,8 @@ class InPlane : public ::testing::TestWithParam<bool> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Laws, InPlane, ::testing::Bool(),
-                         [](const auto& test) { return std::string(test.param ? "Skalak" : "NeoHookean"); });
+INSTANTIATE_TEST_SUITE_P(EachStrainLaw, InPlane, ::testing::ValuesIn(all_materials()),
+                         [](const auto& test) { return name_of(test.param); });
 
 TEST_P(InPlane, ForcesAreTheNegativeGradientOfTheEnergy) {
   const auto energy = [&](const Points& x) { return capsule.elasticity.energy(x); };
@@ -74,11 +70,11 @@ TEST_P(InPlane, TotalForceAndTorqueAreZero) {
 
 TEST_P(InPlane, AnInflatedSpherePressesInwardsWithTwiceItsTensionOverTheRadius) {
   const double radius = 1.3;
-  const Capsule fine(5, law(GetParam()));
+  const Capsule fine(5, GetParam());
   const Points x = radius * fine.sphere.directions, f = fine.forces(x);
   Principal stretch(1, 2);
   stretch << radius, radius;
-  const double tension = 2.5 * law(GetParam())->derivatives(stretch)(0, 0) / radius;
+  const double tension = 2.5 * GetParam().law->derivatives(stretch, GetParam().constants)(0, 0) / radius;
   const Points area_vectors = vertex_area_vectors(x, fine.sphere.mesh.faces);
   const double pressure = -f.cwiseProduct(x).sum() / area_vectors.cwiseProduct(x).sum();
   EXPECT_NEAR(pressure / (2 * tension / radius), 1, 2e-3);
@@ -89,14 +85,14 @@ TEST(InPlaneStretches, OfAnAffineMapAreItsSingularValuesInEachPlane) {
   Points flat(3, 3), stretched(3, 3);
   flat << 0, 1, 0.3, 0, 0, 0.8, 0, 0, 0;
   stretched = some_rotation() * Vec3(1.7, 0.6, 1).asDiagonal() * flat;
-  const InPlaneElasticity one(triangle, flat, law(false), 1);
+  const InPlaneElasticity one(triangle, flat, *neo_hookean().law, {}, 1);
   EXPECT_NEAR(one.stretches(stretched)(0, 0), 1.7, 1e-14);
   EXPECT_NEAR(one.stretches(stretched)(0, 1), 0.6, 1e-14);
 }
 
 // Skalak's energy of a collapsed triangle is finite, a neo-Hookean one's is not.
 TEST(InPlaneNeoHookean, ACollapsedTriangleShowsAsForcesThatAreNotFinite) {
-  const Capsule capsule(2, law(false));
+  const Capsule capsule(2, neo_hookean());
   Points x = capsule.sphere.directions;
   x.col(capsule.sphere.mesh.faces(1, 0)) = x.col(capsule.sphere.mesh.faces(0, 0));
   EXPECT_FALSE(capsule.forces(x).allFinite());

@@ -17,8 +17,8 @@ using namespace capstan::testing;
 Case red_blood_cell() {
   Case c;
   c.shape = Shape::biconcave;
-  c.law = Law::skalak;
-  c.C = 5;
+  c.law = find_strain_law("skalak");
+  c.law_constants = {5};
   c.Ca = 0.4;
   c.E_b = 0.015;
   return c;

@@ -1,4 +1,4 @@
-// The published schemas and the code that reads studies and cases say the same.
+// The JSON schemas accept what the code that reads studies and cases accepts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +7,9 @@
 #include <set>
 
 #include "runner/study/study.hpp"
+#include "runner/study/study_schema.hpp"
+#include "solver/case/json_schema.hpp"
+#include "solver/strain_laws/strain_law.hpp"
 #include "tests/support/source_directory.hpp"
 
 namespace capstan {
@@ -14,9 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-json schema(const std::string& name) {
-  return json::parse(std::ifstream(source_directory() / "schema" / (std::string(name) + ".schema.json")));
-}
+json schema(const std::string& name) { return name == "case" ? case_schema() : study_schema(); }
 
 std::set<std::string> keys(const json& object) {
   std::set<std::string> all;
@@ -24,7 +25,7 @@ std::set<std::string> keys(const json& object) {
   return all;
 }
 
-std::set<std::string> case_keys() {
+std::set<std::string> keys_of_a_case() {
   std::set<std::string> all(scalar_parameters().begin(), scalar_parameters().end());
   all.insert({"until", "fidelity", "outputs"});
   return all;
@@ -36,7 +37,7 @@ const json kCase =
   "E_b": 0.015, "bending": "variational", "c0": 0, "fluid": "quasisteady", "until": {"kt": 0.1},
   "fidelity": {"precision": "double"}})");
 
-std::vector<std::string> faults_with(const std::string& pointer, const json& value) {
+std::vector<std::string> pointers_of_issues_with(const std::string& pointer, const json& value) {
   json object = kCase;
   if (pointer == "/aspect") object["shape"] = value < 1 ? "oblate" : "prolate";
   if (pointer == "/Re")
@@ -49,8 +50,8 @@ std::vector<std::string> faults_with(const std::string& pointer, const json& val
 }
 
 bool accepts(const std::string& pointer, const json& value) {
-  const auto faults = faults_with(pointer, value);
-  return std::find(faults.begin(), faults.end(), pointer) == faults.end();
+  const auto issues = pointers_of_issues_with(pointer, value);
+  return std::find(issues.begin(), issues.end(), pointer) == issues.end();
 }
 
 /// The properties of a case and of the objects inside it, with their pointers.
@@ -67,7 +68,7 @@ std::vector<std::pair<std::string, json>> all_properties() {
   return all;
 }
 
-TEST(Schema, CaseHasTheKeysOfTheCode) { EXPECT_EQ(keys(schema("case")["properties"]), case_keys()); }
+TEST(Schema, CaseHasTheKeysOfTheCode) { EXPECT_EQ(keys(schema("case")["properties"]), keys_of_a_case()); }
 
 TEST(Schema, ObjectsInACaseHaveTheKeysThatTheCodeWritesOut) {
   const json written = to_json(parse_case(kCase).value.value());
@@ -120,7 +121,7 @@ TEST(Schema, DefaultsAreThoseOfTheCode) {
 TEST(Schema, StudyHasTheKeysOfTheCode) {
   const json study = schema("study");
   EXPECT_EQ(keys(study["properties"]), (std::set<std::string>{"name", "description", "base", "axes"}));
-  EXPECT_EQ(keys(study["properties"]["base"]["properties"]), case_keys());
+  EXPECT_EQ(keys(study["properties"]["base"]["properties"]), keys_of_a_case());
   const auto& axes = axis_parameters();
   EXPECT_EQ(keys(study["properties"]["axes"]["properties"]), std::set<std::string>(axes.begin(), axes.end()));
 }
@@ -132,6 +133,18 @@ TEST(Schema, EveryStudyOfTheRepositoryIsValid) {
     const ParsedStudy parsed = parse_study(json::parse(std::ifstream(file)));
     EXPECT_TRUE(parsed.value) << file;
   }
+}
+
+TEST(Schema, EveryValueIsDescribed) {
+  for (const auto& [pointer, property] : all_properties())
+    EXPECT_TRUE(property.contains("description") || pointer == "/fidelity/preset") << pointer;
+}
+
+TEST(Schema, NamesEachStrainLawWithItsModulus) {
+  const std::string description = schema("case")["properties"]["law"]["description"];
+  for (const StrainLaw& law : strain_laws())
+    EXPECT_THAT(description,
+                ::testing::HasSubstr(std::string(law.name) + " (" + std::string(law.modulus) + ")"));
 }
 
 TEST(Schema, RangeHasTheKeysOfTheCode) {

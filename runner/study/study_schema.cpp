@@ -1,0 +1,84 @@
+#include "runner/study/study_schema.hpp"
+
+#include <string>
+#include <string_view>
+
+#include "runner/study/axis.hpp"
+#include "solver/case/parameters.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json property_of_case(std::string_view key) {
+  return {{"$ref", "case.schema.json#/properties/" + std::string(key)}};
+}
+
+/// A list of values, or, of numbers, an evenly spaced range.
+ordered_json axis_schema(std::string_view key) {
+  ordered_json list = {{"type", "array"}, {"minItems", 1}, {"items", property_of_case(key)}};
+  const Parameter* parameter = find_parameter(key);
+  if (!parameter || !parameter->value->takes_numbers()) return list;
+  return {{"oneOf", ordered_json::array({std::move(list), {{"$ref", "#/definitions/range"}}})}};
+}
+
+ordered_json object_with(const char* description, ordered_json properties) {
+  return {{"description", description},
+          {"type", "object"},
+          {"additionalProperties", false},
+          {"properties", std::move(properties)}};
+}
+
+ordered_json base_schema() {
+  ordered_json properties;
+  for (const std::string_view key : case_keys()) properties[std::string(key)] = property_of_case(key);
+  return object_with("The parameters that all cases share.", std::move(properties));
+}
+
+ordered_json axes_schema() {
+  ordered_json properties;
+  for (const std::string_view key : axis_parameters()) properties[std::string(key)] = axis_schema(key);
+  return object_with("The parameters that vary; none of them stands in the base.", std::move(properties));
+}
+
+ordered_json range_schema() {
+  ordered_json schema = object_with(
+      "Evenly spaced values, both ends included; those between are rounded to six digits, or to as many as "
+      "tell "
+      "them apart.",
+      {{"from", {{"type", "number"}}},
+       {"to", {{"type", "number"}}},
+       {"count", {{"type", "integer"}, {"minimum", 2}, {"maximum", 1000000}}},
+       {"scale",
+        {{"description", "On a log scale both ends are > 0."},
+         {"enum", {"linear", "log"}},
+         {"default", "linear"}}}});
+  schema["required"] = {"from", "to", "count"};
+  return schema;
+}
+
+}  // namespace
+
+ordered_json study_schema() {
+  return {{"$schema", "http://json-schema.org/draft-07/schema#"},
+          {"$id", "study.schema.json"},
+          {"title", "Study"},
+          {"description",
+           "A base case and the axes along which it varies; the cases are the product of the axes, at most "
+           "10,000."},
+          {"type", "object"},
+          {"additionalProperties", false},
+          {"required", {"name", "base"}},
+          {"properties",
+           {{"name",
+             {{"description", "The study's id begins with it."},
+              {"type", "string"},
+              {"pattern", "^[A-Za-z0-9_-]{1,40}$"}}},
+            {"description", {{"type", "string"}}},
+            {"base", base_schema()},
+            {"axes", axes_schema()}}},
+          {"definitions", {{"range", range_schema()}}}};
+}
+
+}  // namespace capstan

@@ -1,0 +1,198 @@
+#include "solver/case/case_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/case/choose_fluid.hpp"
+#include "solver/case/nearest_word.hpp"
+#include "solver/case/shown_number.hpp"
+#include "solver/case/time_step_defaults.hpp"
+#include "solver/grid/halved_cells.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string_view> keys_of_group(const std::string& group) {
+  std::vector<std::string_view> keys;
+  if (group == "fidelity") keys.push_back("preset");
+  for (const Parameter& parameter : parameters())
+    if (parameter.group == group) keys.push_back(parameter.key);
+  return keys;
+}
+
+/// A preset's settings for a flow model: boundary integrals take its mesh only.
+Fidelity settings_for(const Case& c, const FidelityPreset& preset) {
+  if (c.has_grid()) return preset.settings;
+  Fidelity fidelity;
+  fidelity.nodes = preset.settings.nodes;
+  fidelity.stepper = Stepper::runge_kutta_chebyshev;
+  return fidelity;
+}
+
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  names.reserve(fidelity_presets().size());
+  for (const FidelityPreset& preset : fidelity_presets()) names.emplace_back(preset.name);
+  return names;
+}
+
+/// Known keys that the object lacks, sorted.
+std::vector<std::string> missing_keys(const json& object, const std::vector<std::string_view>& known) {
+  std::vector<std::string> missing;
+  for (const std::string_view key : known)
+    if (!object.contains(key)) missing.emplace_back(key);
+  std::ranges::sort(missing);
+  return missing;
+}
+
+}  // namespace
+
+Case CaseReader::read() {
+  read_scalars();
+  settle_fluid();
+  for (const ParameterGroup& group : parameter_groups()) read_group(group);
+  check_effects();
+  if (case_.has_grid()) check_grid();
+  check_unknown_keys("", document_, case_keys());
+  return case_;
+}
+
+void CaseReader::read_scalars() {
+  for (const Parameter& parameter : parameters())
+    if (parameter.group.empty()) read_parameter(parameter);
+}
+
+void CaseReader::read_parameter(const Parameter& parameter) {
+  const json* value = given(parameter);
+  if (value) {
+    const ParameterValue::Reading reading = parameter.value->read(*value, case_);
+    if (!reading.issue.empty()) add_issue(parameter.pointer(), reading.issue);
+    if (parameter.key == "fluid") has_fluid_ = reading.has_value;
+    return;
+  }
+  const auto is_undecided_one = [&](const Condition& condition) { return is_undecided(condition); };
+  const bool is_missing = !parameter.required.empty() && parameter.has_effect(case_) &&
+                          std::ranges::none_of(parameter.conditions, is_undecided_one);
+  if (is_missing) add_issue(parameter.pointer(), "is missing: " + parameter.required);
+}
+
+/// Chooses the flow model where the file leaves the choice to the solver, and checks Re against the model.
+void CaseReader::settle_fluid() {
+  const json asked = document_.value("fluid", json("auto"));
+  const FluidChoice choice = choose_fluid(case_.Re, document_.value("fidelity", json()));
+  if (!has_fluid_) case_.fluid = choice.fluid;
+  if (asked == "auto") choices_.push_back({"fluid", asked, to_string(case_.fluid), choice.reason});
+  if (!case_.has_grid())
+    leave_out_inertia();
+  else if (case_.Re == 0)
+    add_issue("/Re", "is 0, which a lattice cannot have; give Re > 0, or leave out what asks for a lattice");
+}
+
+void CaseReader::leave_out_inertia() {
+  if (case_.Re > kMaxStokesRe)
+    add_issue("/Re", "is " + shown(case_.Re) +
+                         ", but the fluid \"stokes\" has no inertia: at most 0.1, or another fluid");
+  if (case_.Re > 0 && document_.contains("Re"))
+    choices_.push_back({"Re", case_.Re, 0, "boundary integrals have no inertia"});
+  case_.Re = 0;
+}
+
+void CaseReader::read_group(const ParameterGroup& group) {
+  if (group.key == "fidelity") return read_fidelity();
+  const auto object = document_.find(group.key);
+  if (object == document_.end()) return;
+  if (!object->is_object())
+    return add_issue("/" + group.key, std::string("must be an object, is ") + object->type_name());
+  for (const Parameter& parameter : parameters())
+    if (parameter.group == group.key) read_parameter(parameter);
+  check_unknown_keys("/" + group.key, *object, keys_of_group(group.key));
+}
+
+void CaseReader::read_fidelity() {
+  case_.fidelity = settings_for(case_, *find_preset("standard"));
+  const auto fidelity = document_.find("fidelity");
+  if (fidelity != document_.end() && !fidelity->is_object()) {
+    start_from_preset("/fidelity", *fidelity);
+  } else if (fidelity != document_.end()) {
+    if (const auto preset = fidelity->find("preset"); preset != fidelity->end())
+      start_from_preset("/fidelity/preset", *preset);
+    for (const Parameter& parameter : parameters())
+      if (parameter.group == "fidelity") read_parameter(parameter);
+    check_unknown_keys("/fidelity", *fidelity, keys_of_group("fidelity"));
+  }
+  choose_time_step();
+}
+
+void CaseReader::start_from_preset(const std::string& pointer, const json& name) {
+  const WordFound found = find_word(name, preset_names());
+  if (!found.issue.empty()) add_issue(pointer, found.issue);
+  if (const FidelityPreset* preset = find_preset(found.word)) case_.fidelity = settings_for(case_, *preset);
+}
+
+void CaseReader::choose_time_step() {
+  Fidelity& fidelity = case_.fidelity;
+  const json settings = document_.value("fidelity", json());
+  const bool has_stepper = settings.contains("stepper"), has_kdt = settings.contains("kdt");
+  if (!has_stepper && !has_kdt && case_.fluid == Fluid::quasisteady)
+    fidelity.stepper = default_stepper(case_);
+  if (has_kdt) return;
+  fidelity.kdt = fidelity.stepper == Stepper::adams_bashforth ? default_kdt(case_) : 0;
+}
+
+void CaseReader::check_effects() {
+  for (const Parameter& parameter : parameters()) {
+    if (!given(parameter)) continue;
+    const auto failed = std::ranges::find_if(
+        parameter.conditions, [&](const Condition& condition) { return !condition.holds(case_); });
+    if (failed == parameter.conditions.end() || failed->otherwise.empty() || is_undecided(*failed)) continue;
+    issues_.push_back({parameter.pointer(), "has no effect: " + failed->otherwise, true});
+  }
+}
+
+void CaseReader::check_grid() {
+  constexpr int kMaxCoarsestCells =
+      24;  // along an edge of the coarsest grid, which is solved by sweeps alone
+  const double cells = case_.fidelity.box / case_.fidelity.dx;
+  if (std::abs(cells - std::round(cells)) > 1e-9 * cells || std::lround(cells) % 8 != 0)
+    add_issue("/fidelity",
+              "box/dx is " + shown(cells) + ", must be a multiple of 8 so that the grid can be coarsened");
+  else if (case_.has_composite_grid() && halved_cells(int(std::lround(cells))).back() > kMaxCoarsestCells)
+    add_issue("/fidelity", "box/dx is " + shown(cells) +
+                               ", which cannot be halved until 24 or less are left; try " +
+                               shown(std::exp2(std::round(std::log2(cells)))));
+}
+
+void CaseReader::check_unknown_keys(const std::string& pointer, const json& object,
+                                    const std::vector<std::string_view>& known) {
+  for (const auto& [key, value] : object.items())
+    if (std::ranges::find(known, key) == known.end())
+      add_issue((json::json_pointer(pointer) / key).to_string(),
+                "unknown key" + suggestion(key, missing_keys(object, known)));
+}
+
+const json* CaseReader::given(const Parameter& parameter) const {
+  const json* object = &document_;
+  if (!parameter.group.empty()) {
+    const auto group = document_.find(parameter.group);
+    if (group == document_.end() || !group->is_object()) return nullptr;
+    object = &*group;
+  }
+  const auto value = object->find(parameter.key);
+  return value == object->end() ? nullptr : &*value;
+}
+
+void CaseReader::add_issue(const std::string& pointer, std::string message) {
+  issues_.push_back({pointer, std::move(message)});
+}
+
+bool CaseReader::has_issue(const std::string& pointer) const {
+  return std::ranges::any_of(issues_, [&](const Issue& issue) { return issue.pointer == pointer; });
+}
+
+bool CaseReader::is_undecided(const Condition& condition) const {
+  return !condition.decided_by.empty() && has_issue("/" + condition.decided_by);
+}
+
+}  // namespace capstan

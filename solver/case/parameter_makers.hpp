@@ -1,0 +1,45 @@
+#pragma once
+// Values for the rows of the table of parameters, from members of Case.
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "solver/case/parameter_value.hpp"
+
+namespace capstan {
+
+using Value = std::shared_ptr<const ParameterValue>;
+
+template <class T>
+Place<T> place_of(T Case::*member) {
+  return [member](Case& c) { return &(c.*member); };
+}
+
+template <class Group, class T>
+Place<T> place_of(Group Case::*group, T Group::*member) {
+  return [group, member](Case& c) { return &(c.*group.*member); };
+}
+
+/// A number with one range in all cases. \param member  of Case; or a group of Case and its member
+template <class... Member>
+Value number(Range range, Member... member) {
+  return std::make_shared<NumberValue>(Place<double>(place_of(member...)), std::move(range));
+}
+
+template <class... Member>
+Value boolean(Member... member) {
+  return std::make_shared<BooleanValue>(Place<bool>(place_of(member...)));
+}
+
+/// The words of an enumeration. \param also  a word that leaves the choice to the solver
+template <HasWords Enum>
+Value word(Place<Enum> place, std::string also = "") {
+  std::vector<std::string> words;
+  words.reserve(kWords<Enum>.size());
+  for (const auto& row : kWords<Enum>) words.emplace_back(row.word);
+  return std::make_shared<WordValue>(
+      std::move(words), [place](Case& c, std::string_view given) { *place(c) = *parse_word<Enum>(given); },
+      [place](const Case& c) { return to_string(*place(const_cast<Case&>(c))); }, std::move(also));
+}
+
+}  // namespace capstan

@@ -1,0 +1,41 @@
+#pragma once
+// The values of an enumeration and the words for them in case files: each pair stands once, in the table
+// kWords beside the enumeration.
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace capstan {
+
+template <class Enum>
+struct Word {
+  Enum value;
+  std::string_view word;
+};
+
+/// Specialised by each enumeration that has words: a std::array of Word<Enum>, the default first.
+template <class Enum>
+inline constexpr bool kWords = false;
+
+template <class Enum>
+concept HasWords = requires {
+  kWords<Enum>.size();
+};
+
+/// The word a case file uses for a value, e.g. "biconcave".
+template <HasWords Enum>
+constexpr std::string_view to_string(Enum value) {
+  for (const auto& row : kWords<Enum>)
+    if (row.value == value) return row.word;
+  return "";
+}
+
+/// The value of a word; nothing for a word that is not in the table.
+template <HasWords Enum>
+constexpr std::optional<Enum> parse_word(std::string_view word) {
+  for (const auto& row : kWords<Enum>)
+    if (row.word == word) return row.value;
+  return std::nullopt;
+}
+
+}  // namespace capstan
