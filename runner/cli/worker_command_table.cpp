@@ -24,7 +24,9 @@ Command solve_command(const WorkerCommands& worker) {
   return command<SolveArguments>(
       "solve", "compute one case, or resume it, without a server",
       {[](CLI::App& parser, SolveArguments& arguments) {
-        parser.add_option("CASE", arguments.file, "the case (schema/case.schema.json); - is standard input")
+        parser
+            .add_option("CASE", arguments.file,
+                        "the case (its schema: GET /case.schema.json); - is standard input")
             ->required();
         parser.add_option("--out", arguments.out, "the run directory; made if it is not there")->required();
         parser
@@ -57,7 +59,8 @@ Command compare_command(const WorkerCommands& worker) {
       {[](CLI::App& parser, CompareArguments& arguments) {
          parser
              .add_option("CASE", arguments.files,
-                         "the cases (schema/case.schema.json), - is standard input; their fluid and grid are "
+                         "the cases (their schema: GET /case.schema.json), - is standard input; their fluid "
+                         "and grid are "
                          "set here")
              ->required();
        },

@@ -55,9 +55,9 @@ Row row_of(const ordered_json& shown) {
 }
 
 bool is_parameter(const std::string& path) {
-  const auto& scalars = axis_parameters();
-  if (std::find(scalars.begin(), scalars.end(), path) != scalars.end()) return true;
-  return path.starts_with("until.") || path.starts_with("fidelity.") || path.starts_with("outputs.");
+  return std::ranges::any_of(parameters(), [&](const Parameter& parameter) {
+    return path_in(parameter.group, parameter.key) == path;
+  });
 }
 
 /// The last part of the path. until.kt keeps its group, because kt is the time that a run has reached.
@@ -87,8 +87,7 @@ std::vector<std::string> make_known_columns() {
   add_columns(all, "", {"id", "state", "motion", "message", "attempt"});
   add_columns(all, "", {"point", "same_as", "replaces", "crashes", "progress", "kt"});
   add_columns(all, "", {"stop", "explanation", "trust.warnings", "choices", "without_effect"});
-  for (const Parameter& parameter : parameters())
-    add_columns(all, parameter.group.empty() ? "" : parameter.group + ".", {parameter.key});
+  for (const Parameter& parameter : parameters()) all.push_back(path_in(parameter.group, parameter.key));
   for (const std::string_view parameter : axis_parameters()) add_columns(all, "asked.", {parameter});
   for (const Observable& observable : kObservables) add_columns(all, "final.", {observable.name});
   add_columns(all, "evidence.", {"n_theta", "n_psi", "r", "D_min", "turns", "theta_range", "margin"});
