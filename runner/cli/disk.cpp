@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 
 ordered_json megabytes(std::uint64_t bytes) { return std::round(static_cast<double>(bytes) / 1e4) / 100; }
 
-ordered_json document_of(const RunUsage& runs) {
+ordered_json document_of(const RunBytes& runs) {
   return {{"bytes", runs.total()},
           {"shapes", runs.shapes},
           {"checkpoints", runs.checkpoints},
@@ -35,7 +35,7 @@ ordered_json document_of(const DiskUsage& usage) {
 
 std::string text_of(const DiskUsage& usage) {
   Table table{{"study", "cases", "MB", "shapes", "checkpoints", "other"}, {}};
-  const auto add = [&](const std::string& name, const ordered_json& cases, const RunUsage& runs) {
+  const auto add = [&](const std::string& name, const ordered_json& cases, const RunBytes& runs) {
     table.rows.push_back({name, cases, megabytes(runs.total()), megabytes(runs.shapes),
                           megabytes(runs.checkpoints), megabytes(runs.other)});
   };

@@ -22,11 +22,11 @@ struct KindNames {
 
 KindNames names_of(Finding::Kind kind) {
   switch (kind) {
-    case Finding::Kind::mended:
+    case Finding::Kind::repaired:
       return {"repaired", "mended"};
     case Finding::Kind::note:
       return {"note", "note"};
-    case Finding::Kind::fault:
+    case Finding::Kind::error:
       break;
   }
   return {"error", "fault"};
@@ -41,7 +41,7 @@ int examine_data(const UpkeepArguments& arguments) {
     const KindNames names = names_of(finding.kind);
     findings.push_back({{"kind", names.json}, {"what", finding.what}});
     if (!arguments.json) std::cout << names.text << ": " << finding.what << '\n';
-    if (finding.kind == Finding::Kind::fault) ++errors;
+    if (finding.kind == Finding::Kind::error) ++errors;
   }
   if (arguments.json)
     std::cout << ordered_json{{"faults", errors}, {"findings", findings}}.dump(2) << '\n';

@@ -7,7 +7,7 @@
 #include "runner/daemon/replacement.hpp"
 #include "runner/recording/result.hpp"
 #include "runner/store/fail_point.hpp"
-#include "runner/store/orphans.hpp"
+#include "runner/store/orphaned_runs.hpp"
 #include "solver/case/content_id.hpp"
 #include "solver/run_directory/checkpoint_files.hpp"
 #include "solver/run_directory/durable_file.hpp"
@@ -52,7 +52,7 @@ void Service::take_over() {
   derive_old_points(database_);
   estimate_missing_costs(database_);
   replace_outdated(database_);
-  for (const RunDirectory& orphan : orphans_in(data_.runs(), database_))
+  for (const RunDirectory& orphan : orphaned_runs(data_.runs(), database_))
     if (orphan.is_worthless()) std::filesystem::remove_all(orphan.path());
 }
 

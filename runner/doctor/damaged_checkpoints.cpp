@@ -5,7 +5,6 @@
 
 namespace capstan {
 
-/// A cancelled or failed case may be asked for again, and then goes on, too.
 std::vector<DamagedCheckpoint> damaged_checkpoints(const std::filesystem::path& runs, Database& database) {
   std::vector<DamagedCheckpoint> damaged;
   Statement row = database.query("SELECT id FROM cases WHERE state IN ('queued', 'failed', 'cancelled')");
@@ -13,9 +12,9 @@ std::vector<DamagedCheckpoint> damaged_checkpoints(const std::filesystem::path& 
     auto [newer, older] = checkpoint_files(RunDirectory(runs / row.text(0)), row.text(0), kNumericsVersion);
     newer = with_checksum(newer);
     older = with_checksum(older);
-    const auto sound = newer.usable() ? newer.path : older.usable() ? older.path : "";
+    const std::filesystem::path usable = newer.usable() ? newer.path : older.usable() ? older.path : "";
     for (const CheckpointFile& file : {newer, older})
-      if (file.is_damaged) damaged.push_back({file.path, file.reason, sound});
+      if (file.is_damaged) damaged.push_back({file.path, file.reason, usable});
   }
   return damaged;
 }

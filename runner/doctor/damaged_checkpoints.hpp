@@ -1,5 +1,5 @@
 #pragma once
-// Whether the runs that are to go on can do so.
+// Finds the damaged checkpoints of cases that are still to be computed.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,15 +8,14 @@
 
 namespace capstan {
 
-/// A checkpoint that nobody can read any more.
 struct DamagedCheckpoint {
   std::filesystem::path path;
-  std::string fault;
-  std::filesystem::path other = {};  ///< what the case goes on from instead; empty if it starts anew
+  std::string reason;                       ///< "fails its checksum"
+  std::filesystem::path resumes_from = {};  ///< the other checkpoint, if it is usable; else empty
 };
 
-/// Reads the checkpoints of all cases that are yet to be computed, whole. Those of running ones are left
-/// alone: they are being replaced.
+/// Reads the whole checkpoints of queued, failed and cancelled cases; a user may ask for the latter two
+/// again. Those of running cases are left alone, as their runs replace them.
 /// \param runs  the directory of the run directories
 std::vector<DamagedCheckpoint> damaged_checkpoints(const std::filesystem::path& runs, Database& database);
 

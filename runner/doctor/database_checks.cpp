@@ -9,34 +9,29 @@ std::vector<std::string> first_column(Statement row) {
   return values;
 }
 
-/// All that `quick_check` says of the whole database, or of one table and its indices, but "ok".
-std::vector<std::string> quick_faults(Database& database, const std::string& table = "") {
-  constexpr const char* kMax = "3";
-  std::vector<std::string> faults =
-      first_column(database.query("PRAGMA quick_check(" + (table.empty() ? kMax : table) + ")"));
-  std::erase(faults, "ok");
-  return faults;
+/// The findings of one of SQLite's checks, which reports "ok" where there are none.
+std::vector<std::string> damage_by(Database& database, const std::string& pragma) {
+  std::vector<std::string> damage = first_column(database.query("PRAGMA " + pragma));
+  std::erase(damage, "ok");
+  return damage;
 }
 
-std::vector<std::string> integrity_faults(Database& database) {
-  std::vector<std::string> faults = first_column(database.query("PRAGMA integrity_check(20)"));
-  std::erase(faults, "ok");
-  return faults;
-}
-
-std::vector<std::string> quick_faults_but_of_histories(Database& database) {
+/// Of all tables but the largest one.
+std::vector<std::string> quick_damage_without_histories(Database& database) {
   for (const std::string& table : first_column(
            database.query("SELECT name FROM sqlite_schema WHERE type = 'table' AND name <> 'histories'")))
-    if (auto faults = quick_faults(database, table); !faults.empty()) return faults;
+    if (auto damage = damage_by(database, "quick_check(" + table + ")"); !damage.empty()) return damage;
   return {};
 }
 
-/// The quick check does not see that a page of histories stands in the place of another one.
-std::vector<std::string> faults_at_start(Database& database, std::uintmax_t bytes) {
-  constexpr std::uintmax_t kMaxWhole = 4'000'000'000;  // 500 MB take 2 s
+/// The quick check takes 2 s for 500 MB. It does not notice a page of histories in the place of another one;
+/// the integrity check, which also compares indices with their tables, does.
+std::vector<std::string> damage_at_start(Database& database, std::uintmax_t bytes) {
   constexpr std::uintmax_t kMaxThorough = 200'000'000;
-  if (bytes <= kMaxThorough) return integrity_faults(database);
-  return bytes <= kMaxWhole ? quick_faults(database) : quick_faults_but_of_histories(database);
+  constexpr std::uintmax_t kMaxWhole = 4'000'000'000;
+  if (bytes <= kMaxThorough) return damage_by(database, "integrity_check(20)");
+  return bytes <= kMaxWhole ? damage_by(database, "quick_check(3)")
+                            : quick_damage_without_histories(database);
 }
 
 }  // namespace
@@ -44,16 +39,16 @@ std::vector<std::string> faults_at_start(Database& database, std::uintmax_t byte
 void refuse_damaged_database(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return;
   Database database(file, Database::Access::read);
-  const std::vector<std::string> faults = faults_at_start(database, std::filesystem::file_size(file));
-  if (!faults.empty())
-    throw DatabaseDamaged("database " + file.string() + ": " + faults.front() + kWhatToDoAboutDamage);
+  const std::vector<std::string> damage = damage_at_start(database, std::filesystem::file_size(file));
+  if (!damage.empty())
+    throw DatabaseDamaged("database " + file.string() + ": " + damage.front() + kWhatToDoAboutDamage);
 }
 
 std::vector<std::string> damage_of(Database& database) {
-  std::vector<std::string> faults = integrity_faults(database);
+  std::vector<std::string> damage = damage_by(database, "integrity_check(20)");
   for (const std::string& table : first_column(database.query("PRAGMA foreign_key_check")))
-    faults.push_back("a row of " + table + " refers to what is not there");
-  return faults;
+    damage.push_back("a row of " + table + " refers to what is not there");
+  return damage;
 }
 
 /// Summed costs are kept by adding and subtracting, which is not exact.

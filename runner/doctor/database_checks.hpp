@@ -1,5 +1,5 @@
 #pragma once
-// Whether the database holds together: its pages, its references, its sums.
+// Checks of the database: its pages, its references, its sums.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,15 +8,14 @@
 
 namespace capstan {
 
-/// What SQLite finds wrong with pages, indices and references.
+/// Damage that SQLite finds in pages, indices and references; each as a sentence for users.
 std::vector<std::string> damage_of(Database& database);
 
-/// Throws DatabaseDamaged if pages of the file are not as SQLite has written them. To be asked at each start,
-/// so it takes seconds at most: of a file of more than 4 GB the histories are left to `damage_of`, and to
-/// those who read them.
+/// Throws DatabaseDamaged if pages of the file are damaged. Called at each start of the daemon, so it takes
+/// seconds at most: the larger the file, the less is checked. damage_of checks everything.
 void refuse_damaged_database(const std::filesystem::path& file);
 
-/// Studies whose kept sums, or whose line of waiting cases, are not what a count gives.
+/// Ids of the studies whose stored sums, or whose number of waiting cases, differ from a count.
 std::vector<std::string> miscounted_studies(Database& database);
 
 }  // namespace capstan

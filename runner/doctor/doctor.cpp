@@ -13,87 +13,89 @@
 namespace capstan {
 namespace {
 
+namespace fs = std::filesystem;
+
 class Doctor {
  public:
-  Doctor(const std::filesystem::path& data, bool mend)
+  Doctor(const fs::path& data, bool repairs)
       : data_(data),
-        mend_(mend),
-        database_(data / "capstan.sqlite", mend ? Database::Access::write : Database::Access::read) {}
+        runs_(data / kRunsName),
+        repairs_(repairs),
+        database_(data / kDatabaseName, repairs ? Database::Access::write : Database::Access::read) {}
 
   std::vector<Finding> findings() && {
-    look_at_disk();
-    if (look_at_database()) {
-      find_run_faults(data_ / "runs", database_,
-                      [this](const std::string& what, const auto& mend) { found(what, mend); });
-      look_at_checkpoints();
+    check_disk();
+    if (check_pages()) {
+      check_sums();
+      check_runs(runs_, database_, [this](const auto& what, const auto& repair) { report(what, repair); });
+      check_checkpoints();
     }
     return std::move(findings_);
   }
 
  private:
-  void found(const std::string& what, const std::function<void()>& mend) {
-    if (mend_ && mend) mend();
-    findings_.push_back({what, mend_ && mend ? Finding::Kind::mended : Finding::Kind::fault});
+  /// \param repair  empty if nothing can be done
+  void report(const std::string& what, const std::function<void()>& repair = {}) {
+    const bool is_repaired = repairs_ && repair;
+    if (is_repaired) repair();
+    findings_.push_back({what, is_repaired ? Finding::Kind::repaired : Finding::Kind::error});
   }
 
-  void look_at_disk() {
-    if (!std::filesystem::exists(data_ / "runs"))
-      found((data_ / "runs").string() + " is missing",
-            [this] { std::filesystem::create_directories(data_ / "runs"); });
-    for (const std::filesystem::path& place : {data_, data_ / "runs"})
-      if (std::filesystem::exists(place) && std::filesystem::space(place).available < kMinFree)
-        found("less than " + std::to_string(kMinFree / 1'000'000) + " MB are free in " + place.string(), {});
+  void check_disk() {
+    if (!fs::exists(runs_)) report(runs_.string() + " is missing", [this] { fs::create_directories(runs_); });
+    for (const fs::path& place : {data_, runs_})
+      if (fs::exists(place) && fs::space(place).available < kMinFree)
+        report("less than " + std::to_string(kMinFree / 1'000'000) + " MB are free in " + place.string());
   }
 
-  /// False if it is damaged: then nothing that it says can be relied on.
-  bool look_at_database() {
-    std::vector<std::string> damage = damage_of(database_);
-    if (!damage.empty() && mend_) {
-      database_.execute_script("REINDEX");
-      const bool is_mended = damage_of(database_).empty();
-      for (const std::string& fault : damage)
-        findings_.push_back(
-            {"the database: " + fault, is_mended ? Finding::Kind::mended : Finding::Kind::fault});
-      if (!is_mended) return false;
-    } else if (!damage.empty()) {
-      for (const std::string& fault : damage) found("the database: " + fault, {});
-      return false;
-    }
+  /// False if the database is damaged: then its rows are not checked. Building the indices anew repairs some
+  /// damage.
+  bool check_pages() {
+    const std::vector<std::string> damage = damage_of(database_);
+    if (damage.empty()) return true;
+    if (repairs_) database_.execute_script("REINDEX");
+    const bool is_repaired = repairs_ && damage_of(database_).empty();
+    for (const std::string& what : damage)
+      findings_.push_back(
+          {"the database: " + what, is_repaired ? Finding::Kind::repaired : Finding::Kind::error});
+    return is_repaired;
+  }
+
+  void check_sums() {
     for (const std::string& study : miscounted_studies(database_))
-      found("the sums of study " + study + " are not those of its cases", [this] {
+      report("the sums of study " + study + " are not those of its cases", [this] {
         Transaction transaction(database_);
         database_.execute_script(kRecount);
         transaction.commit();
       });
-    return true;
   }
 
-  /// What cannot be read is worth nothing: to take it away is safe, and the next run would replace it first.
-  void look_at_checkpoints() {
-    for (const DamagedCheckpoint& checkpoint : damaged_checkpoints(data_ / "runs", database_)) {
-      const std::string what = checkpoint.path.string() + " " + checkpoint.fault + ": the case ";
-      if (checkpoint.other.empty())
-        found(what + "starts anew", [&] { std::filesystem::remove(checkpoint.path); });
+  /// Without a usable checkpoint the next run starts anew, and would replace the damaged file first: removing
+  /// that loses nothing.
+  void check_checkpoints() {
+    for (const DamagedCheckpoint& checkpoint : damaged_checkpoints(runs_, database_)) {
+      const std::string what = checkpoint.path.string() + " " + checkpoint.reason + ": the case ";
+      if (checkpoint.resumes_from.empty())
+        report(what + "starts anew", [&] { fs::remove(checkpoint.path); });
       else
         findings_.push_back(
-            {what + "goes on from " + checkpoint.other.filename().string(), Finding::Kind::note});
+            {what + "goes on from " + checkpoint.resumes_from.filename().string(), Finding::Kind::note});
     }
   }
 
-  const std::filesystem::path data_;
-  const bool mend_;
+  const fs::path data_, runs_;
+  const bool repairs_;
   Database database_;
   std::vector<Finding> findings_;
 };
 
 }  // namespace
 
-std::vector<Finding> examine(const std::filesystem::path& data, bool mend) {
-  if (!std::filesystem::exists(data / "capstan.sqlite"))
-    throw std::runtime_error(data.string() + " is no data directory: it holds no capstan.sqlite");
-  std::optional<DataDirectory> held;
-  if (mend) held.emplace(data);
-  return Doctor(data, mend).findings();
+std::vector<Finding> examine(const fs::path& data, bool repair) {
+  expect_data_directory(data);
+  std::optional<DataDirectory> locked;
+  if (repair) locked.emplace(data);
+  return Doctor(data, repair).findings();
 }
 
 }  // namespace capstan

@@ -1,24 +1,25 @@
 #pragma once
-// Looks at everything that a daemon keeps, and mends what can be mended without losing anything.
+// Checks everything that a daemon keeps in its data directory, and repairs what can be repaired without loss.
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace capstan {
 
+/// One finding of the checks.
 struct Finding {
   enum class Kind {
-    fault,
-    mended,
-    note,  ///< nothing is to be done: the next run finds its way
+    error,     ///< not repaired
+    repaired,  ///< was an error
+    note,      ///< needs no repair: the next run copes with it
   };
-  std::string what;
-  Kind kind = Kind::fault;
+  std::string what;  ///< for users
+  Kind kind = Kind::error;
 };
 
-/// Faults of the database, of the run directories and of the disk; none if all is well. Throws
-/// std::runtime_error where there is no database that can be opened.
-/// \param mend  and then no daemon may serve the directory: throws std::runtime_error if one does
-std::vector<Finding> examine(const std::filesystem::path& data, bool mend);
+/// Checks the disk, the database and the run directories. Returns the findings; none if all is well. Throws
+/// std::runtime_error if the directory holds no database, and DatabaseError if that cannot be opened.
+/// \param repair  repairs what it finds; throws std::runtime_error if a daemon serves the directory
+std::vector<Finding> examine(const std::filesystem::path& data, bool repair);
 
 }  // namespace capstan

@@ -1,7 +1,7 @@
 #include "runner/doctor/run_checks.hpp"
 
 #include "runner/recording/history.hpp"
-#include "runner/store/orphans.hpp"
+#include "runner/store/orphaned_runs.hpp"
 #include "solver/run_directory/durable_file.hpp"
 
 namespace capstan {
@@ -9,6 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// The content of result.json; nothing if it is missing, damaged or cannot be read.
 std::optional<ordered_json> readable_result(const RunDirectory& directory) try {
   return directory.result();
 } catch (const std::filesystem::filesystem_error& error) {
@@ -16,25 +17,27 @@ std::optional<ordered_json> readable_result(const RunDirectory& directory) try {
   return std::nullopt;
 }
 
-/// The database is what answers: a result file that is lost or damaged is written again.
-void compare_results(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
+/// Answers come from the database, so a result file that differs from it is written again.
+void check_results(const std::filesystem::path& runs, Database& database, const ReportFinding& report) {
   Statement row = database.query("SELECT case_id, document FROM results");
   while (row.step()) {
     const RunDirectory directory(runs / row.text(0));
     const std::string document = row.text(1);
-    const auto there = readable_result(directory);
-    if (there && *there == ordered_json::parse(document)) continue;
-    tell(directory.result_file().string() + (there ? " is not what was recorded" : " is missing or damaged"),
-         [&] {
-           std::filesystem::create_directories(directory.path());
-           write_durably(directory.result_file(), ordered_json::parse(document).dump(2) + "\n");
-         });
+    const auto found = readable_result(directory);
+    if (found && *found == ordered_json::parse(document)) continue;
+    report(
+        directory.result_file().string() + (found ? " is not what was recorded" : " is missing or damaged"),
+        [&] {
+          std::filesystem::create_directories(directory.path());
+          write_durably(directory.result_file(), ordered_json::parse(document).dump(2) + "\n");
+        });
   }
 }
 
-/// Of one that has ended: what does not agree between its history.jsonl and its rows, and what would mend it.
-void compare_history(const RunDirectory& directory, const std::string& case_id, Database& database,
-                     const RunFault& tell) {
+/// The history of a case that has ended. What is missing in the database comes from the file, and the other
+/// way round.
+void check_history(const RunDirectory& directory, const std::string& case_id, Database& database,
+                   const ReportFinding& report) {
   const HistoryFile file = read_history(directory.history_file());
   const History stored = stored_history(database, case_id);
   const auto store = [&, case_id, file] {
@@ -44,70 +47,71 @@ void compare_history(const RunDirectory& directory, const std::string& case_id, 
   };
   const std::string rows = std::to_string(stored.size());
   if (file.damage.empty() && stored.size() != file.records.size())
-    tell("the database holds " + rows + " of the " + std::to_string(file.records.size()) + " records in " +
-             directory.history_file().string(),
-         store);
+    report("the database holds " + rows + " of the " + std::to_string(file.records.size()) + " records in " +
+               directory.history_file().string(),
+           store);
   else if (!file.damage.empty() && (!stored.empty() || file.damage != "is missing"))
-    tell(directory.history_file().string() + " " + file.damage + "; the database holds " + rows + " records",
-         [&, store] {
-           store();
-           std::filesystem::create_directories(directory.path());
-           write_durably(directory.history_file(), history_lines(stored_history(database, case_id)));
-         });
+    report(
+        directory.history_file().string() + " " + file.damage + "; the database holds " + rows + " records",
+        [&, store] {
+          store();
+          std::filesystem::create_directories(directory.path());
+          write_durably(directory.history_file(), history_lines(stored_history(database, case_id)));
+        });
 }
 
-void compare_histories(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
+void check_histories(const std::filesystem::path& runs, Database& database, const ReportFinding& report) {
   Statement row = database.query("SELECT id FROM cases WHERE state IN ('done', 'diverged')");
-  while (row.step()) compare_history(RunDirectory(runs / row.text(0)), row.text(0), database, tell);
+  while (row.step()) check_history(RunDirectory(runs / row.text(0)), row.text(0), database, report);
 }
 
-void find_cases_without_history(Database& database, const RunFault& tell) {
+void check_done_cases_have_histories(Database& database, const ReportFinding& report) {
   Statement row = database.query(
       "SELECT id FROM cases WHERE state = 'done' AND NOT EXISTS (SELECT 1 FROM histories WHERE case_id = "
       "id)");
-  while (row.step()) tell("case " + row.text(0) + " is done, but has no history", {});
+  while (row.step()) report("case " + row.text(0) + " is done, but has no history", {});
 }
 
-void find_missing_results(Database& database, const RunFault& tell) {
+void check_done_cases_have_results(Database& database, const ReportFinding& report) {
   Statement row = database.query(
       "SELECT id FROM cases LEFT JOIN results ON case_id = id WHERE state = 'done' AND case_id IS NULL");
   while (row.step())
-    tell("case " + row.text(0) + " is done, but has no result", [&, id = row.text(0)] {
+    report("case " + row.text(0) + " is done, but has no result", [&, id = row.text(0)] {
       Transaction transaction(database);
       database.execute("UPDATE cases SET state = 'queued', message = 'its result was lost' WHERE id = ?", id);
       transaction.commit();
     });
 }
 
-void find_orphans(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
-  for (const RunDirectory& orphan : orphans_in(runs, database)) {
+void check_orphans(const std::filesystem::path& runs, Database& database, const ReportFinding& report) {
+  for (const RunDirectory& orphan : orphaned_runs(runs, database)) {
     const std::string what = orphan.path().string() + " belongs to no case";
     if (orphan.is_worthless())
-      tell(what + " and holds nothing", [&] { std::filesystem::remove_all(orphan.path()); });
+      report(what + " and holds nothing", [&] { std::filesystem::remove_all(orphan.path()); });
     else
-      tell(what + ": submit its study again, or delete it", {});
+      report(what + ": submit its study again, or delete it", {});
   }
 }
 
-void find_partial_files(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
+void check_partial_files(const std::filesystem::path& runs, Database& database, const ReportFinding& report) {
   Statement row = database.query("SELECT id FROM cases WHERE state <> 'running'");
   while (row.step()) {
     const RunDirectory directory(runs / row.text(0));
     if (directory.has_partial_files())
-      tell(directory.path().string() + " holds half-written files",
-           [&] { directory.remove_partial_files(); });
+      report(directory.path().string() + " holds half-written files",
+             [&] { directory.remove_partial_files(); });
   }
 }
 
 }  // namespace
 
-void find_run_faults(const std::filesystem::path& runs, Database& database, const RunFault& tell) {
-  compare_results(runs, database, tell);
-  compare_histories(runs, database, tell);
-  find_cases_without_history(database, tell);
-  find_missing_results(database, tell);
-  find_orphans(runs, database, tell);
-  find_partial_files(runs, database, tell);
+void check_runs(const std::filesystem::path& runs, Database& database, const ReportFinding& report) {
+  check_results(runs, database, report);
+  check_histories(runs, database, report);
+  check_done_cases_have_histories(database, report);
+  check_done_cases_have_results(database, report);
+  check_orphans(runs, database, report);
+  check_partial_files(runs, database, report);
 }
 
 }  // namespace capstan

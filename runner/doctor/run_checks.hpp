@@ -1,18 +1,18 @@
 #pragma once
-// Whether the run directories hold what the database says.
+// Checks that the run directories and the database agree.
+#include <filesystem>
 #include <functional>
 #include <string>
 
-#include "runner/store/data_directory.hpp"
 #include "runner/store/database.hpp"
 
 namespace capstan {
 
-/// A fault, and what would mend it; empty where nothing can.
-using RunFault = std::function<void(const std::string& what, const std::function<void()>& mend)>;
+/// Called for each finding. `repair` repairs it when it is called; it is empty where nothing can be done.
+using ReportFinding = std::function<void(const std::string& what, const std::function<void()>& repair)>;
 
-/// Goes through all cases and all directories, and tells each fault.
+/// Checks the results, histories and files of all cases, and looks for run directories without a case.
 /// \param runs  the directory of the run directories
-void find_run_faults(const std::filesystem::path& runs, Database& database, const RunFault& tell);
+void check_runs(const std::filesystem::path& runs, Database& database, const ReportFinding& report);
 
 }  // namespace capstan

@@ -1,12 +1,12 @@
 #pragma once
-// A copy of the database, also of a running daemon's.
+// A backup of the database, also while a daemon writes to it.
 #include <filesystem>
 
 namespace capstan {
 
-/// Copies the database of a data directory into the file, which is replaced whole or not at all. Throws
-/// std::invalid_argument where the file may not be replaced: it is neither missing nor an earlier copy, or a
-/// data directory needs it.
+/// Copies the database of a data directory into the file: a consistent snapshot, which is checked before it
+/// replaces an earlier backup. Throws std::invalid_argument if the file exists and is no backup, or if its
+/// name is one that a data directory uses for its own files.
 void back_up_database(const std::filesystem::path& data, const std::filesystem::path& file);
 
 }  // namespace capstan

@@ -1,5 +1,5 @@
 #pragma once
-// The time of day and the time that has passed, so that tests can hold both still.
+// The clock of the daemon; tests replace it by one that they move.
 #include <chrono>
 
 namespace capstan {
@@ -9,8 +9,10 @@ using Time = std::chrono::sys_time<std::chrono::milliseconds>;
 class Clock {
  public:
   virtual ~Clock() = default;
+  /// The time of day. It jumps when somebody sets the system's clock.
   virtual Time now() const = 0;
-  /// Grows evenly, whoever sets the clock, and not while the machine sleeps. To be measured with, not stored.
+  /// A monotonic time for measuring durations. It stands still while the machine sleeps. Not to be stored: it
+  /// counts from the start of the machine.
   virtual std::chrono::milliseconds elapsed() const = 0;
 };
 

@@ -11,10 +11,9 @@
 #include <system_error>
 
 namespace capstan {
-
 namespace {
 
-void refuse_network(const std::filesystem::path& path) {
+void expect_local_file_system(const std::filesystem::path& path) {
   struct statfs status {};
   if (statfs(path.c_str(), &status) != 0) return;
   const std::string name = network_file_system(status.f_type);
@@ -25,6 +24,11 @@ void refuse_network(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+void expect_data_directory(const std::filesystem::path& data) {
+  if (!std::filesystem::exists(data / kDatabaseName))
+    throw std::runtime_error(data.string() + " is no data directory: it holds no " + kDatabaseName);
+}
 
 std::string network_file_system(long type) {
   static const std::map<unsigned, std::string> kNames = {
@@ -37,20 +41,20 @@ std::string network_file_system(long type) {
 }
 
 DataDirectory::DataDirectory(const std::filesystem::path& path) {
-  std::filesystem::create_directories(path / "runs");
+  std::filesystem::create_directories(path / kRunsName);
   path_ = std::filesystem::canonical(path);
-  refuse_network(path_);
-  lock_ = held(path_ / "lock", O_RDWR | O_CREAT);
+  expect_local_file_system(path_);
+  lock_ = open_locked(path_ / kDataLockName, O_RDWR | O_CREAT);
   try {
-    directory_ = held(path_, O_RDONLY | O_DIRECTORY);
+    directory_ = open_locked(path_, O_RDONLY | O_DIRECTORY);
   } catch (...) {
     close(lock_);
     throw;
   }
 }
 
-/// The descriptor of a file that is locked as long as it is open.
-int DataDirectory::held(const std::filesystem::path& path, int flags) const {
+/// Opens a file and locks it. Returns its descriptor; closing that unlocks the file.
+int DataDirectory::open_locked(const std::filesystem::path& path, int flags) const {
   const int descriptor = open(path.c_str(), flags | O_CLOEXEC, 0644);
   if (descriptor < 0) throw std::system_error(errno, std::generic_category(), "cannot open " + path.string());
   if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;

@@ -6,44 +6,45 @@
 #include <map>
 #include <set>
 
+#include "runner/store/data_directory.hpp"
 #include "runner/store/database.hpp"
+#include "runner/store/database_files.hpp"
 
 namespace capstan {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::uint64_t bytes_of(const fs::path& file) {
+std::uint64_t allocated_bytes(const fs::path& file) {
   constexpr std::uint64_t kBlock = 512;  // stat(2)
   struct stat status {};
   return lstat(file.c_str(), &status) == 0 ? kBlock * static_cast<std::uint64_t>(status.st_blocks) : 0;
 }
 
-RunUsage usage_of(const fs::path& run) {
-  RunUsage usage;
-  std::error_code gone;  // a run that goes on replaces its files
-  for (auto entry = fs::recursive_directory_iterator(run, gone); entry != fs::recursive_directory_iterator();
-       entry.increment(gone)) {
-    const std::string name = entry->path().filename();
-    const bool is_shape = name.starts_with("shapes") || entry->path().parent_path().filename() == "shapes";
-    (is_shape                         ? usage.shapes
-     : name.starts_with("checkpoint") ? usage.checkpoints
-                                      : usage.other) += bytes_of(entry->path());
+RunBytes usage_of(const RunDirectory& run) {
+  RunBytes usage;
+  std::error_code gone;  // files may vanish: a run in progress replaces its files
+  for (auto entry = fs::recursive_directory_iterator(run.path(), gone);
+       entry != fs::recursive_directory_iterator(); entry.increment(gone)) {
+    const fs::path& file = entry->path();
+    (run.is_shape(file)        ? usage.shapes
+     : run.is_checkpoint(file) ? usage.checkpoints
+                               : usage.other) += allocated_bytes(file);
     if (gone) break;
   }
   return usage;
 }
 
-std::map<std::string, RunUsage> usage_of_runs(const fs::path& runs) {
-  std::map<std::string, RunUsage> usage;
+std::map<std::string, RunBytes> usage_of_runs(const fs::path& runs) {
+  std::map<std::string, RunBytes> usage;
   for (const auto& entry : fs::directory_iterator(runs))
-    usage[entry.path().filename()] = usage_of(entry.path());
+    usage[entry.path().filename()] = usage_of(RunDirectory(entry.path()));
   return usage;
 }
 
 }  // namespace
 
-RunUsage& RunUsage::operator+=(const RunUsage& more) {
+RunBytes& RunBytes::operator+=(const RunBytes& more) {
   shapes += more.shapes;
   checkpoints += more.checkpoints;
   other += more.other;
@@ -51,10 +52,9 @@ RunUsage& RunUsage::operator+=(const RunUsage& more) {
 }
 
 DiskUsage disk_usage(const fs::path& data) {
-  if (!fs::exists(data / "capstan.sqlite"))
-    throw std::runtime_error(data.string() + " is no data directory: it holds no capstan.sqlite");
-  Database database(data / "capstan.sqlite", Database::Access::read);
-  const auto of_run = usage_of_runs(data / "runs");
+  expect_data_directory(data);
+  Database database(data / kDatabaseName, Database::Access::read);
+  const auto of_run = usage_of_runs(data / kRunsName);
   DiskUsage usage;
   std::set<std::string> wanted;
   Statement row = database.query("SELECT DISTINCT study_id, case_id FROM study_cases ORDER BY study_id");
@@ -70,8 +70,8 @@ DiskUsage disk_usage(const fs::path& data) {
     usage.runs += run;
     if (!wanted.contains(id)) usage.without_study += run;
   }
-  for (const char* end : {"", "-wal", "-shm"})
-    usage.database += bytes_of(data / ("capstan.sqlite" + std::string(end)));
+  for (const fs::path& file : files_of_database(data / kDatabaseName))
+    usage.database += allocated_bytes(file);
   std::stable_sort(usage.studies.begin(), usage.studies.end(),
                    [](const StudyUsage& a, const StudyUsage& b) { return a.runs.total() > b.runs.total(); });
   return usage;

@@ -1,5 +1,5 @@
 #pragma once
-// What takes space in a data directory, study by study.
+// The space that a data directory takes on the disk, by study.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -7,27 +7,27 @@
 
 namespace capstan {
 
-/// Bytes on the disk.
-struct RunUsage {
+/// Bytes that a run directory takes on the disk (allocated blocks).
+struct RunBytes {
   std::uint64_t shapes = 0, checkpoints = 0, other = 0;
   std::uint64_t total() const { return shapes + checkpoints + other; }
-  RunUsage& operator+=(const RunUsage& more);
+  RunBytes& operator+=(const RunBytes& more);
 };
 
 struct StudyUsage {
   std::string study;
   int cases = 0;
-  RunUsage runs;  ///< of all its cases, also of those that it shares with other studies
+  RunBytes runs;  ///< of all its cases, including those shared with other studies
 };
 
 struct DiskUsage {
-  std::vector<StudyUsage> studies;  ///< the largest first
-  RunUsage without_study;           ///< run directories of cases that no study has
-  RunUsage runs;                    ///< of all run directories, each once
+  std::vector<StudyUsage> studies;  ///< sorted by size, the largest first
+  RunBytes without_study;           ///< run directories whose case is in no study
+  RunBytes runs;                    ///< of all run directories, each counted once
   std::uint64_t database = 0;
 };
 
-/// Reads only. Throws std::runtime_error where there is no database that can be opened.
+/// Throws std::runtime_error if the directory holds no database, and DatabaseError if that cannot be opened.
 DiskUsage disk_usage(const std::filesystem::path& data);
 
 }  // namespace capstan

@@ -1,12 +1,12 @@
 #pragma once
-// Places where a test kills the daemon: between any two steps that must not be torn apart.
+// Points between two steps of the daemon at which a test can kill it.
 #include <string_view>
 
 namespace capstan {
 
-/// Kills this process with SIGKILL at its Nth passing of the point, if CAPSTAN_FAIL_AT is "NAME:N". The names
-/// stand in tests/support/campaign.hpp; one more, "deleted", lies between the rows and the run directories of
-/// a deleted study.
+/// Kills this process with SIGKILL when it passes the point for the Nth time, if the environment variable
+/// CAPSTAN_FAIL_AT is "NAME:N". tests/support/campaign.hpp lists the names; one more, "deleted", lies between
+/// the rows and the run directories of a deleted study.
 void fail_point(std::string_view name);
 
 }  // namespace capstan

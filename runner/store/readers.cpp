@@ -19,7 +19,7 @@ Readers::Reader Readers::take() {
   return Reader(database.release(), GiveBack{this});
 }
 
-/// One that cannot end its moment is of no more use.
+/// Ends the snapshot. A connection on which that fails is closed.
 void Readers::give_back(Database* held) {
   std::unique_ptr<Database> database(held);
   try {
@@ -28,7 +28,7 @@ void Readers::give_back(Database* held) {
     return;
   }
   const std::lock_guard lock(mutex_);
-  if (idle_.size() < kKept) idle_.push_back(std::move(database));
+  if (idle_.size() < kMaxIdle) idle_.push_back(std::move(database));
 }
 
 }  // namespace capstan

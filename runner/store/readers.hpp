@@ -1,5 +1,5 @@
 #pragma once
-// Connections for reading that stay open: to open one takes longer than most questions.
+// A pool of connections for reading: opening one takes longer than most queries.
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -9,9 +9,10 @@
 
 namespace capstan {
 
+/// May be used from any thread.
 class Readers {
  public:
-  /// \param writer  while its files are not in place, none is opened
+  /// \param writer  no connection is opened while its files are missing or replaced
   Readers(std::filesystem::path database, const Database& writer)
       : file_(std::move(database)), writer_(writer) {}
 
@@ -19,14 +20,14 @@ class Readers {
     Readers* readers;
     void operator()(Database* database) const { readers->give_back(database); }
   };
-  /// Sees one moment, that of its first query, as long as it is held.
+  /// A read transaction: a consistent snapshot, taken at the first query. For one thread at a time.
   using Reader = std::unique_ptr<Database, GiveBack>;
 
-  /// More at once are opened and closed again: each that is kept has two descriptors, and who is quick needs
-  /// few.
-  static constexpr std::size_t kKept = 2;
+  /// Connections that are kept open while nobody uses them. Each has two descriptors; queries are short, so
+  /// few serve many clients.
+  static constexpr std::size_t kMaxIdle = 2;
 
-  /// From any thread; as many as are asked for.
+  /// Never waits for another reader: if none is idle, a connection is opened.
   Reader take();
 
  private:
@@ -34,7 +35,7 @@ class Readers {
 
   const std::filesystem::path file_;
   const Database& writer_;
-  std::mutex mutex_;
+  std::mutex mutex_;  ///< guards idle_
   std::vector<std::unique_ptr<Database>> idle_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Times as people and programs read them.
+// Times as text.
 #include <cstdint>
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
-// Whether a disk still takes what is written to it. One that has failed turns read-only from one moment to
-// the next, and who only asks for the right to write is not told.
+// Noticing that a disk takes no writes any more. A disk that fails may become read-only at any moment, and
+// access(2) does not tell.
 #include <filesystem>
 #include <string>
 
@@ -8,18 +8,19 @@ namespace capstan {
 
 class WriteProbe {
  public:
-  /// Opens a file without a name in the directory.
+  /// Opens a temporary file without a name (O_TMPFILE) in the directory.
   explicit WriteProbe(const std::filesystem::path& directory);
   ~WriteProbe();
   WriteProbe(const WriteProbe&) = delete;
   WriteProbe& operator=(const WriteProbe&) = delete;
 
-  /// Why nothing can be written, or "": also where the disk is full, and where it has no files without names.
-  std::string fault() const;
+  /// Writes one byte. Returns why that failed, or "". A full disk is no error here, nor is a file system
+  /// without O_TMPFILE.
+  std::string error() const;
 
  private:
   int file_;
-  int error_;  ///< of opening it
+  int open_error_;  ///< errno of opening the file, or 0
 };
 
 }  // namespace capstan

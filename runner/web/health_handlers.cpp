@@ -31,7 +31,7 @@ Response get_readiness(Service& service, const httplib::Request&, const std::str
   if (const std::string reason = service.why_nothing_starts(); !reason.empty())
     return problem(503, "Not ready", reason);
   for (const auto& path : {service.data().path(), service.data().runs()})
-    if (const std::string error = WriteProbe(path).fault(); !error.empty())
+    if (const std::string error = WriteProbe(path).error(); !error.empty())
       return problem(503, "Not ready", "nothing can be written in " + path.string() + ": " + error);
   const std::uintmax_t free = std::filesystem::space(service.data().path()).available;
   if (free < kMin) return problem(503, "Not ready", "less than 100 MB are free in the data directory");

@@ -46,7 +46,7 @@ TEST_F(DirectoryLockTest, NamesTheFileThatCannotBeOpened) {
   }
 }
 
-/// As the daemon passes it on. The child holds the lock after the parent has closed its own descriptor.
+/// As the daemon passes the lock on: the child holds the lock after the parent has closed its own descriptor.
 TEST_F(DirectoryLockTest, PassedOnToAChildIsHeldUntilTheChildIsKilled) {
   pid_t child = 0;
   {

@@ -30,8 +30,9 @@ class DatabaseTest : public testing::Test {
   Database database_{file_, Database::Access::write};
 };
 
-/// Each kept one takes some 20 kB: without a bound the memory of a server grew with the variety of questions.
-TEST_F(DatabaseTest, StatementsThatWereNotUsedForLongestAreGivenUp) {
+/// A compiled statement takes some 20 kB: without a limit the memory of a server would grow with the number
+/// of different queries.
+TEST_F(DatabaseTest, LeastRecentlyUsedStatementsAreDropped) {
   sqlite3* connection = nullptr;
   ASSERT_EQ(sqlite3_open(":memory:", &connection), SQLITE_OK);
   const auto idle = std::make_shared<IdleStatements>();
@@ -91,7 +92,7 @@ TEST_F(DatabaseTest, ReaderCannotWrite) {
   EXPECT_THROW(reader.execute("DELETE FROM cases"), DatabaseError);
 }
 
-TEST_F(DatabaseTest, ReaderSeesOneMomentAndWhoTakesItNextTheNext) {
+TEST_F(DatabaseTest, ReaderSeesASnapshotAndTheNextOneALaterSnapshot) {
   const Database writer(file_, Database::Access::write);
   Readers readers(file_, writer);
   const auto count = [](Database& database) {
