@@ -70,7 +70,7 @@ int serve(const ServeArguments& arguments) {
     const EndAtOnce ends_at_once;
     refuse_damaged_database(data.database());
     service.emplace(data, executor, clock, arguments.cores,
-                    Limits{arguments.memory_mb, std::chrono::seconds(arguments.wall_seconds)},
+                    RunLimits{arguments.memory_mb, std::chrono::seconds(arguments.wall_seconds)},
                     std::chrono::seconds(arguments.lease_seconds));
   }
   service->on_change(wake_loop);

@@ -1,6 +1,6 @@
 #pragma once
-// Where runs run: the only seam to processes. The daemon starts runs, asks for them, and ends them;
-// everything else it learns from their run directories.
+// The interface between the daemon and the processes that compute: start, poll, stop. Everything else the
+// daemon learns from the run directories.
 #include <optional>
 #include <string>
 
@@ -9,39 +9,37 @@
 
 namespace capstan {
 
-/// The executor's name of a run. It is stored, so that a later daemon can find the run of an earlier one.
+/// The executor's name of a run. It is stored in the database, so that a later daemon can find the run.
 using RunHandle = std::string;
 
 enum class StopBy {
-  checkpoint,  ///< write a checkpoint, then end
-  kill,        ///< end now; the run is gone on return, or poll says when
+  checkpoint,  ///< asks the run to write a checkpoint and end
+  kill,        ///< ends the run now; poll tells when it is gone
 };
 
-/// What a run has taken so far.
 struct RunUsage {
-  double cpu_seconds = 0;
-  double memory_mb = 0;  ///< resident now
+  double cpu_seconds = 0;  ///< since the start of the run
+  double memory_mb = 0;    ///< resident now
 };
 
 class Executor {
  public:
   virtual ~Executor() = default;
 
-  /// Starts `capstan solve` in a prepared run directory. Throws std::system_error when that cannot be done,
-  /// and while an earlier process, of whichever daemon, still works there.
+  /// Starts `capstan solve` in a prepared run directory. Throws std::system_error if that cannot be done,
+  /// also while another process works in the directory.
   virtual RunHandle start(const RunDirectory& directory) = 0;
 
-  /// Nothing while the run goes on; its end, once.
+  /// How the run ended; nothing while it goes on. Called until it returns an end, and not after that.
   virtual std::optional<ProcessEnd> poll(const RunHandle& run) = 0;
 
-  /// Nothing if that cannot be told.
+  /// Nothing if the usage is not known.
   virtual std::optional<RunUsage> usage(const RunHandle& run) = 0;
 
   virtual void cancel(const RunHandle& run, StopBy stop) = 0;
 
-  /// Waits for the end of whatever works in the directory; false if it does not end in some seconds. To be
-  /// asked by a daemon that takes over, whose predecessor may have died before it could say what it had
-  /// started.
+  /// Waits until no process works in the directory; false if one still does after some seconds. For a daemon
+  /// that takes over from one that was killed: the database may not have the handle of its last run.
   virtual bool wait_until_free(const RunDirectory& directory) = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Runs as child processes on this machine, one a case, each in its own process group.
+// Runs as child processes of the daemon on this machine.
 #include <filesystem>
 #include <map>
 
@@ -8,12 +8,13 @@
 
 namespace capstan {
 
-/// To be used from one thread, and one that lives as long as its runs are to: see end_with_daemon.
+/// Used by one thread, which has to live as long as the runs: a worker is killed when the thread that started
+/// it ends (solver/run_directory/parent_daemon.hpp).
 class LocalExecutor : public Executor {
  public:
-  /// \param program  started as PROGRAM solve CASE.json --out DIR; by default the very program that is
-  /// running, even
-  ///                 if its file has been replaced since
+  /// \param program  started as PROGRAM solve CASE.json --out DIR. By default the program that is running,
+  /// even if its
+  ///                 file has been replaced since its start
   explicit LocalExecutor(std::filesystem::path program = "/proc/self/exe");
 
   RunHandle start(const RunDirectory& directory) override;
@@ -24,7 +25,7 @@ class LocalExecutor : public Executor {
 
  private:
   std::filesystem::path program_;
-  std::map<RunHandle, ProcessIdentity> children_;
+  std::map<RunHandle, ProcessIdentity> children_;  ///< not reaped yet
 };
 
 }  // namespace capstan

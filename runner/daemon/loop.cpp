@@ -11,12 +11,12 @@
 namespace capstan {
 namespace {
 
-constexpr long kTick = 250;    // ms: how often histories are read
-constexpr long kPause = 5000;  // ms: after an error of the environment
+constexpr long kTick = 250;    // ms between two ticks
+constexpr long kPause = 5000;  // ms after a tick that failed
 
 constexpr std::array kEndingSignals = {SIGTERM, SIGINT};
 
-/// SIGCHLD: a run has ended. SIGUSR1: someone has changed the queue. SIGHUP: the logs were moved away.
+/// SIGCHLD: a run has ended. SIGUSR1: a client has changed the queue. SIGHUP: the logs were rotated.
 constexpr std::array kDaemonSignals = {SIGTERM, SIGINT, SIGCHLD, SIGUSR1, SIGHUP};
 
 sigset_t set_of(std::span<const int> list) {
@@ -26,14 +26,14 @@ sigset_t set_of(std::span<const int> list) {
   return signals;
 }
 
-/// The signal that came within that time, or -1.
+/// Returns the signal that came within that time, or -1.
 int wait_for_signal(long milliseconds) {
   const sigset_t signals = set_of(kDaemonSignals);
-  const timespec longest{milliseconds / 1000, milliseconds % 1000 * 1000000};
-  return sigtimedwait(&signals, nullptr, &longest);
+  const timespec max_wait{milliseconds / 1000, milliseconds % 1000 * 1000000};
+  return sigtimedwait(&signals, nullptr, &max_wait);
 }
 
-/// False if something could not be done.
+/// False if an error was reported.
 bool tick(Service& service) try {
   service.tick();
   return true;
@@ -51,7 +51,7 @@ bool tick(Service& service) try {
 void hold_signals() {
   const sigset_t signals = set_of(kDaemonSignals);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  signal(SIGPIPE, SIG_IGN);  // a client that goes away is no reason to end
+  signal(SIGPIPE, SIG_IGN);  // a client that closes its connection does not end the daemon
 }
 
 EndAtOnce::EndAtOnce() {
@@ -71,9 +71,9 @@ void wake_loop() { kill(getpid(), SIGUSR1); }
 bool work_until_terminated(Service& service, const std::function<void()>& reopen_logs,
                            const std::function<void()>& tidy) {
   for (bool draining = false;;) {
-    const bool is_well = tick(service);
+    const bool succeeded = tick(service);
     if (draining && service.has_ended()) return service.is_idle();
-    const int signal = wait_for_signal(is_well || draining ? kTick : kPause);
+    const int signal = wait_for_signal(succeeded || draining ? kTick : kPause);
     if (signal == SIGHUP) reopen_logs();
     tidy();
     if (signal != SIGTERM && signal != SIGINT) continue;

@@ -19,14 +19,14 @@ std::string boot_id() {
   return id;
 }
 
-/// The fields of /proc/PID/stat (proc(5)) from the third on, so that field N stands at N - 3; nothing if the
-/// process is gone or has ended.
+/// The fields of /proc/PID/stat (proc(5)) from the third on: field N is at N - 3. Empty if the process has
+/// ended.
 std::vector<std::string> stat_fields(pid_t pid) {
   std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
   std::string line;
   if (!std::getline(file, line)) return {};
-  std::istringstream stream(
-      line.substr(line.rfind(')') + 1));  // the name in front may hold spaces and brackets
+  const std::size_t end_of_name = line.rfind(')');  // field 2, which may contain spaces and brackets
+  std::istringstream stream(line.substr(end_of_name + 1));
   std::vector<std::string> fields{std::istream_iterator<std::string>(stream), {}};
   const bool has_ended = fields.size() < 22 || fields[0] == "Z" || fields[0] == "X";
   return has_ended ? std::vector<std::string>() : fields;

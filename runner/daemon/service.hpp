@@ -1,150 +1,90 @@
 #pragma once
-// The daemon's work: takes studies, keeps the cores busy with their cases, and records what comes of them.
+// The daemon without its HTTP server: takes studies from clients, and has their cases computed.
 //
-// Everything that it knows is in the database and the run directories; killed at any moment, its successor
+// Its state is in the database and in the run directories alone: after a kill at any moment the next daemon
 // goes on.
-#include <deque>
-#include <exception>
+//
+// Threads: one thread, that of the loop, calls tick, drain, has_ended and is_idle. All else may be called
+// from any thread, above all by those that answer HTTP requests. Locks: the queue and its database are used
+// by one thread at a time, which holds QueueWriter::mutex: the loop during a tick, a client during a change.
+// Queries use connections of their own (Readers) and wait for nobody. Submissions has two more mutexes; it
+// says in which order they are locked.
 #include <functional>
-#include <mutex>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "runner/daemon/delete_study.hpp"
 #include "runner/daemon/executor.hpp"
-#include "runner/daemon/submit_study.hpp"
-#include "runner/queue/job_queue.hpp"
-#include "runner/recording/history.hpp"
-#include "runner/recording/outcome.hpp"
-#include "runner/store/clock.hpp"
+#include "runner/daemon/free_space.hpp"
+#include "runner/daemon/queue_writer.hpp"
+#include "runner/daemon/scheduler.hpp"
+#include "runner/daemon/submissions.hpp"
 #include "runner/store/data_directory.hpp"
-#include "runner/store/database.hpp"
 #include "runner/store/readers.hpp"
 
 namespace capstan {
 
-/// What one case may take; 0: as much as it wants. A case that goes beyond has failed: the same again would,
-/// too.
-struct Limits {
-  double memory_mb = 0;
-  std::chrono::seconds wall_time{0};  ///< of one attempt
-};
-
 class Service {
  public:
-  /// A run that was asked to stop and has not after this time is killed.
-  static constexpr std::chrono::seconds kGrace{8};
-
-  /// Takes over what an earlier daemon left: its runs are ended, recorded if they are complete, and queued if
-  /// not.
-  /// \param lease  how long a run may stand still
-  Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores, Limits limits = {},
+  /// Takes over from an earlier daemon (take_over.hpp).
+  /// \param cores  runs side by side
+  /// \param lease  a run that uses no processor time for so long is killed
+  Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores, RunLimits limits = {},
           std::chrono::milliseconds lease = JobQueue::kLease);
 
-  // From any thread:
+  // Clients. Changes throw DatabaseDamaged or DatabaseUnavailable if the database cannot be written to.
+
   Readers::Reader reader() { return readers_.take(); }
-  /// Safe on the disk on return; those that wait for the disk at the same time are written together.
+  /// Returns once the study is safe on the disk.
   /// \param key  of an Idempotency-Key, or ""; throws KeyReused if it came with another study before
   Submission submit(const Study& study, const std::string& key = "");
-  // How many cases they concern; nothing if there is no such study.
+  // The number of cases that are concerned; nothing if there is no such study.
   std::optional<int> cancel(const std::string& study_id);
   std::optional<int> set_priority(const std::string& study_id, int priority);
   std::optional<int> pause(const std::string& study_id, bool is_paused);
   std::optional<int> retry(const std::string& study_id);
-  /// Of the study; its cases go with it, unless another study wants them.
+  /// Deletes the study and those of its cases that no other study wants. The next ticks remove their rows,
+  /// then their run directories. Nothing if there is no such study.
   std::optional<Deletion> remove(const std::string& study_id);
-  /// At another fidelity, which may help diverged cases, too; the faults that this one would have. Of an
-  /// unknown study there is nothing to retry.
+  /// Retries failed and diverged cases at another fidelity. Returns the issues of that fidelity; if there are
+  /// any, nothing is retried. An unknown study has no cases to retry.
   Issues retry_at(const std::string& study_id, const nlohmann::json& fidelity);
 
-  /// While less is free where the runs write, nothing is started.
-  void keep_free(std::uintmax_t bytes) { kept_free_ = bytes; }
-  /// For people; "" if nothing stands in the way of all cases.
-  std::string why_nothing_starts() const;
-  /// Remembers that the database has turned out to be damaged: from now on nothing is written to it.
-  void report_damage(const std::string& what);
-  /// Throws DatabaseError if the database is damaged, or its files were removed or replaced.
-  void expect_sound_database() const;
+  /// Why no run is started, as a sentence for users; "" if runs are started.
+  std::string why_nothing_starts() const { return free_space_.shortage(); }
+  /// From now on nothing is written, as the database was found to be damaged.
+  void report_damage(const std::string& what) { writer_.report_damage(what); }
+  /// Throws DatabaseError if the database is damaged, or if its files were removed or replaced.
+  void expect_sound_database() const { writer_.expect_sound(); }
 
   const DataDirectory& data() const { return data_; }
   std::size_t cores() const { return cores_; }
 
-  /// Called after a change that the loop should look at soon.
+  // Before the service is used:
+
+  /// No run is started while less is free on the disk of the run directories.
+  void keep_free(std::uintmax_t bytes) { free_space_.set_min_free(bytes); }
+  /// \param callback  called after each change of the queue by a client, from the client's thread
   void on_change(std::function<void()> callback) { changed_ = std::move(callback); }
 
-  // From the thread of the loop:
-  /// Records what the runs have done, ends those that must end, and starts as many as there are cores.
+  // The loop (scheduler.hpp):
+
   void tick();
-  /// From now on nothing is started, and what runs writes a checkpoint and ends.
-  void drain();
-  /// No process is left. What came of them may still have to be recorded, if the disk was full.
-  bool has_ended() const;
-  bool is_idle() const { return runs_.empty(); }
+  void drain() { scheduler_.drain(); }
+  bool has_ended() const { return scheduler_.has_ended(); }
+  bool is_idle() const { return scheduler_.is_idle(); }
 
  private:
-  struct Run {
-    Claim claim;
-    HistoryTail history;
-    Time renewed;
-    std::chrono::milliseconds started, progress_checked;  ///< on the clock's elapsed()
-    double cpu_seconds = 0;                               ///< when its pulse was felt
-    int idle_heartbeats = 0;                              ///< heartbeats without computing
-    std::optional<std::chrono::milliseconds> stop_asked = {};
-    std::optional<ProcessEnd> end = {};
-    bool is_killed = false;
-    std::string beyond = {};  ///< the limit that it went beyond
-    bool is_recorded = false;
-  };
-
-  /// A study whose client waits.
-  struct Waiting {
-    const Study& study;
-    const std::string& key;
-    Submission submission = {};
-    std::exception_ptr error = {};
-    bool is_answered = false;
-  };
-
-  void submit_waiting();
-  void delete_unwanted();
-  std::optional<int> write(const std::function<std::optional<int>()>& change);
-  std::exception_ptr for_each_run(const std::function<void(Run&)>& action);
-  bool has_run(const Claim& claim) const;
-  void take_over();
-  bool start_next();
-  void or_put_back(const Claim& claim, const std::function<void()>& action);
-  void spawn(Claim& claim);
-  void follow(const Claim& claim);
-  void look_after(Run& run);
-  void write_down(Run& run);
-  void keep_lease(Run& run);
-  void check_progress(Run& run);
-  void hold_to_limits(Run& run);
-  RunOutcome outcome_of_run(const Run& run) const;
-  void ask_to_stop(Run& run);
-  void kill(Run& run);
-  void record(const Claim& claim, const RunOutcome& outcome);
-  void remove_spare_checkpoints(const std::string& case_id, RunEnding ending) const;
+  std::optional<int> change(const std::function<std::optional<int>(JobQueue&)>& action);
 
   const DataDirectory& data_;
-  Executor& executor_;
-  const Clock& clock_;
   const std::size_t cores_;
-  const Limits limits_;
-  std::uintmax_t kept_free_ = kMinFree;
   std::function<void()> changed_ = [] {};
-
-  mutable std::mutex damage_mutex_;
-  std::string damage_;  ///< of the database, "" while none is known
-  std::mutex joining_;  ///< guards waiting_; never held while waiting for the other one
-  std::deque<Waiting*> waiting_;
-  std::mutex submitting_;  ///< held by the one client that waits for writing_ in order to submit
-  std::mutex writing_;     ///< guards database_ and queue_
-  Database database_;
+  FreeSpace free_space_;
+  QueueWriter writer_;
   Readers readers_;
-  JobQueue queue_;
-  std::vector<Run> runs_;
-  bool draining_ = false;
+  Submissions submissions_;
+  Scheduler scheduler_;
 };
 
 }  // namespace capstan

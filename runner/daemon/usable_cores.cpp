@@ -15,10 +15,10 @@ constexpr const char* kControlGroups = "/sys/fs/cgroup";
 int cores_by_affinity() {
   cpu_set_t set;
   if (sched_getaffinity(0, sizeof set, &set) == 0) return CPU_COUNT(&set);
-  return static_cast<int>(std::thread::hardware_concurrency());  // a machine of more cores than a set holds
+  return static_cast<int>(std::thread::hardware_concurrency());  // more cores than a cpu_set_t holds
 }
 
-/// Of cgroup v2, "/" if it has none.
+/// The path of this process's control group (cgroup v2); "/" if it has none.
 std::string own_control_group() {
   std::ifstream file("/proc/self/cgroup");
   for (std::string line; std::getline(file, line);)
@@ -26,7 +26,8 @@ std::string own_control_group() {
   return "/";
 }
 
-/// `cpu.max` holds "QUOTA PERIOD" in microseconds, or "max PERIOD".
+/// The quota in a file `cpu.max`, in cores; 0 if there is none. The file holds "QUOTA PERIOD" in
+/// microseconds, or "max PERIOD".
 int cores_in(const std::filesystem::path& file) {
   std::ifstream stream(file);
   double quota = 0, period = 0;
@@ -37,12 +38,12 @@ int cores_in(const std::filesystem::path& file) {
 }  // namespace
 
 int cores_by_quota(const std::filesystem::path& root, const std::string& group) {
-  int least = 0;
+  int min = 0;
   for (std::filesystem::path path = std::filesystem::path(group).relative_path();;
        path = path.parent_path()) {
     const int cores = cores_in(root / path / "cpu.max");
-    if (cores > 0 && (least == 0 || cores < least)) least = cores;
-    if (path.empty()) return least;
+    if (cores > 0 && (min == 0 || cores < min)) min = cores;
+    if (path.empty()) return min;
   }
 }
 

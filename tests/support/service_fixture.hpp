@@ -45,8 +45,23 @@ class ServiceFixture : public testing::Test {
   DataDirectory data_{directory_.path()};
   FakeExecutor executor_;
   FakeClock clock_;
-  Limits limits_;
+  RunLimits limits_;
   std::unique_ptr<Service> service_ = std::make_unique<Service>(data_, executor_, clock_, 2);
+};
+
+/// The tests of the daemon: a study is submitted and its first cases are started at once.
+class ServiceTest : public ServiceFixture {
+ protected:
+  static constexpr auto kHeartbeat = JobQueue::kLease / JobQueue::kHeartbeats;
+
+  std::string submit(const nlohmann::json& axes) {
+    const std::string id = service_->submit(sample_study("study", axes)).study_id;
+    service_->tick();
+    return id;
+  }
+  Case case_of(const RunHandle& run) {
+    return parse_case(nlohmann::json::parse(std::ifstream(directory_of(run).case_file()))).value.value();
+  }
 };
 
 }  // namespace capstan

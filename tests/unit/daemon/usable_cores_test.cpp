@@ -11,7 +11,7 @@
 namespace capstan {
 namespace {
 
-/// Of one thread, which ends with the test.
+/// The mask is that of one thread, so that the other tests keep theirs.
 TEST(UsableCores, AreThoseOfTheAffinityMask) {
   int cores = 0;
   std::thread([&] {

@@ -1,0 +1,112 @@
+#include "runner/daemon/scheduler.hpp"
+
+#include <algorithm>
+
+#include "runner/daemon/outcome_of_run.hpp"
+#include "runner/daemon/record_run.hpp"
+#include "runner/daemon/remove_deleted_cases.hpp"
+#include "runner/store/fail_point.hpp"
+
+namespace capstan {
+
+Scheduler::Scheduler(QueueWriter& writer, Executor& executor, const Clock& clock, const DataDirectory& data,
+                     const FreeSpace& free_space, std::size_t cores, RunLimits limits)
+    : writer_(writer),
+      executor_(executor),
+      clock_(clock),
+      data_(data),
+      free_space_(free_space),
+      cores_(cores),
+      limits_(limits) {}
+
+/// Processes come before the database: also on a full disk a run can be stopped.
+void Scheduler::tick() {
+  std::exception_ptr error = for_each_run([this](Run& run) { supervise(run.supervision); });
+  writer_.expect_sound();
+  if (const auto later = for_each_run([this](Run& run) { record(run); })) error = later;
+  std::erase_if(runs_, [](const Run& run) { return run.is_recorded; });
+  writer_.queue.give_back_expired([this](const Claim& claim) { return has_run(claim); });
+  remove_deleted_cases(writer_.database, data_);
+  while (!draining_ && runs_.size() < cores_ && start_next()) {
+  }
+  if (error) std::rethrow_exception(error);
+}
+
+bool Scheduler::has_ended() const {
+  return std::all_of(runs_.begin(), runs_.end(),
+                     [](const Run& run) { return run.supervision.end().has_value(); });
+}
+
+/// Returns the last of the errors, or nullptr.
+std::exception_ptr Scheduler::for_each_run(const std::function<void(Run&)>& action) {
+  std::exception_ptr error;
+  for (Run& run : runs_) try {
+      action(run);
+    } catch (...) {
+      error = std::current_exception();
+    }
+  return error;
+}
+
+void Scheduler::supervise(RunSupervision& run) {
+  if (run.end()) return;
+  run.check_progress();
+  run.enforce_limits();
+  if (draining_ || writer_.queue.is_to_be_cancelled(run.claim())) run.ask_to_stop();
+  run.poll();
+}
+
+void Scheduler::record(Run& run) {
+  const Claim& claim = run.supervision.claim();
+  const std::size_t first = run.history.size();
+  store_history(writer_.database, claim.case_id, first, run.history.read_new());
+  if (!run.supervision.end()) return run.supervision.keep_lease(writer_.queue);
+  const RunDirectory directory = data_.run(claim.case_id);
+  record_run(writer_, claim, directory, outcome_of_run(run.supervision, directory, free_space_));
+  run.is_recorded = true;
+}
+
+bool Scheduler::has_run(const Claim& claim) const {
+  return std::any_of(runs_.begin(), runs_.end(),
+                     [&](const Run& run) { return run.supervision.claim().token == claim.token; });
+}
+
+/// Starts a run of the next case; false if there is none or no room for it. A directory that holds a result
+/// already is recorded instead: the database lost that record, as a backup was put in its place or a power
+/// failure took its last commit. An error of the environment (a full disk, no process to be had) puts the
+/// case back into the queue.
+bool Scheduler::start_next() {
+  if (!free_space_.shortage().empty()) return false;
+  std::optional<Claim> claim = writer_.queue.claim();
+  if (!claim) return false;
+  const RunDirectory directory = data_.run(claim->case_id);
+  bool is_complete = false;
+  try {
+    is_complete = directory.result().has_value();
+    if (is_complete)
+      record_run(writer_, *claim, directory, outcome_of(ProcessEnd{}, directory));
+    else
+      start_process(*claim, directory);
+  } catch (const std::exception& error) {
+    writer_.queue.put_back(*claim, std::string("could not be started: ") + error.what());
+    throw;
+  }
+  if (!is_complete) add_run(*claim, directory);
+  return true;
+}
+
+void Scheduler::start_process(Claim& claim, const RunDirectory& directory) {
+  directory.prepare(claim.document);
+  fail_point("prepared");
+  claim.handle = executor_.start(directory);
+  fail_point("spawned");
+}
+
+void Scheduler::add_run(const Claim& claim, const RunDirectory& directory) {
+  runs_.push_back({RunSupervision(claim, executor_, clock_, limits_, writer_.queue.heartbeat()),
+                   HistoryTail(directory.history_file())});
+  writer_.queue.started(claim, claim.handle);
+  fail_point("started");
+}
+
+}  // namespace capstan

@@ -1,0 +1,59 @@
+#pragma once
+// Keeps the cores busy: starts runs, supervises them, and records what they leave.
+#include <exception>
+#include <functional>
+#include <vector>
+
+#include "runner/daemon/free_space.hpp"
+#include "runner/daemon/queue_writer.hpp"
+#include "runner/daemon/run_supervision.hpp"
+#include "runner/recording/history.hpp"
+#include "runner/store/data_directory.hpp"
+
+namespace capstan {
+
+/// Used by the thread of the loop alone.
+class Scheduler {
+ public:
+  /// \param cores  runs side by side
+  Scheduler(QueueWriter& writer, Executor& executor, const Clock& clock, const DataDirectory& data,
+            const FreeSpace& free_space, std::size_t cores, RunLimits limits);
+
+  /// One round: supervises and records the runs, then starts new ones on free cores. An error that concerns
+  /// one run does not keep the others from their turn; the last error is thrown at the end. The caller holds
+  /// the writer's mutex.
+  void tick();
+  /// From now on no run is started, and those that run are asked to write a checkpoint and end.
+  void drain() { draining_ = true; }
+  /// True if no process is left. Its outcome may still have to be recorded, for example on a full disk.
+  bool has_ended() const;
+  /// True if there is no run, not even one that has still to be recorded.
+  bool is_idle() const { return runs_.empty(); }
+
+ private:
+  struct Run {
+    RunSupervision supervision;
+    HistoryTail history;
+    bool is_recorded = false;
+  };
+
+  std::exception_ptr for_each_run(const std::function<void(Run&)>& action);
+  void supervise(RunSupervision& run);
+  void record(Run& run);
+  bool has_run(const Claim& claim) const;
+  bool start_next();
+  void start_process(Claim& claim, const RunDirectory& directory);
+  void add_run(const Claim& claim, const RunDirectory& directory);
+
+  QueueWriter& writer_;
+  Executor& executor_;
+  const Clock& clock_;
+  const DataDirectory& data_;
+  const FreeSpace& free_space_;
+  const std::size_t cores_;
+  const RunLimits limits_;
+  std::vector<Run> runs_;
+  bool draining_ = false;
+};
+
+}  // namespace capstan

@@ -1,0 +1,16 @@
+#pragma once
+// Starting a worker as a child process.
+#include <sys/types.h>
+
+#include <filesystem>
+
+#include "solver/run_directory/run_directory.hpp"
+
+namespace capstan {
+
+/// Starts PROGRAM solve CASE.json --out DIR as schema/run_directory.md describes it. Returns its process id.
+/// Throws std::system_error if that cannot be done.
+/// \param lock  descriptor of the taken lock of the directory, which is passed on
+pid_t spawn_worker(const std::filesystem::path& program, const RunDirectory& directory, int lock);
+
+}  // namespace capstan

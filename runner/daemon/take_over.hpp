@@ -1,0 +1,15 @@
+#pragma once
+// What a daemon does when it starts: it ends what an earlier daemon left running, and brings its records up
+// to date.
+#include "runner/daemon/executor.hpp"
+#include "runner/daemon/queue_writer.hpp"
+#include "runner/store/data_directory.hpp"
+
+namespace capstan {
+
+/// Kills the runs of an earlier daemon; those that are complete are recorded, the others are queued again.
+/// Then brings cases of an earlier program to the present form, and removes run directories that belong to no
+/// case and hold nothing of worth.
+void take_over(QueueWriter& writer, Executor& executor, const DataDirectory& data);
+
+}  // namespace capstan
