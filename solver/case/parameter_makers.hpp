@@ -22,8 +22,8 @@ Place<T> place_of(Group Case::*group, T Group::*member) {
 
 /// A number with one range in all cases. \param member  of Case; or a group of Case and its member
 template <class... Member>
-Value number(Range range, Member... member) {
-  return std::make_shared<NumberValue>(Place<double>(place_of(member...)), std::move(range));
+Value number(const Range& range, Member... member) {
+  return std::make_shared<NumberValue>(Place<double>(place_of(member...)), range);
 }
 
 template <class... Member>

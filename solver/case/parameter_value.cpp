@@ -56,7 +56,7 @@ WordFound find_word(const json& given, const std::vector<std::string>& words) {
               suggestion(word, words)};
 }
 
-NumberValue::NumberValue(Place<double> place, Range range)
+NumberValue::NumberValue(Place<double> place, const Range& range)
     : place_(std::move(place)), range_in_([range](const Case&) { return range; }), whole_(range) {}
 
 Reading NumberValue::read(const json& given, Case& c) const {

@@ -44,7 +44,7 @@ using Place = std::function<T*(Case&)>;
 
 class NumberValue final : public ParameterValue {
  public:
-  NumberValue(Place<double> place, Range range);
+  NumberValue(Place<double> place, const Range& range);
   /// \param range_in  the range in one case; nothing where the parameter has no effect
   /// \param whole     from the smallest to the largest value in any case
   NumberValue(Place<double> place, std::function<std::optional<Range>(const Case&)> range_in, Range whole)
