@@ -28,26 +28,33 @@ void fill_row_ends(RowField<T>& field, const std::array<SideRule, 2>& rules) {
 /// ghost on.
 template <class T>
 struct Layer {
-  const T* original;      ///< first row
-  T* ghost;               ///< first row
-  std::ptrdiff_t stride;  ///< from row to row, of both
+  const T* original;         ///< first row
+  T* ghost;                  ///< first row
+  std::ptrdiff_t stride;     ///< from row to row, of both
+  std::ptrdiff_t component;  ///< from one component of a row to the next, of both
   int rows;
   int length;  ///< numbers of one component of a row, with padding
 };
 
+/// Copies all components.
 template <class T>
-void copy_layer(const Layer<T>& layer, std::ptrdiff_t numbers_per_row) {
-  for (int row = 0; row < layer.rows; ++row)
-    std::copy_n(layer.original + row * layer.stride, numbers_per_row, layer.ghost + row * layer.stride);
+void copy_layer(const Layer<T>& layer, int components) {
+  const bool is_contiguous = layer.component == layer.length;
+  const int copies = is_contiguous ? 1 : components,
+            numbers = is_contiguous ? components * layer.length : layer.length;
+  for (int k = 0; k < copies; ++k)
+    for (int row = 0; row < layer.rows; ++row) {
+      const std::ptrdiff_t at = k * layer.component + row * layer.stride;
+      std::copy_n(layer.original + at, numbers, layer.ghost + at);
+    }
 }
 
 template <class T>
 CAPSTAN_VECTOR_UNITS void put_images(const Layer<T>& layer, std::span<const ImageComponent> image) {
   for (int row = 0; row < layer.rows; ++row)
     for (std::size_t k = 0; k < image.size(); ++k) {
-      const T* __restrict from =
-          layer.original + row * layer.stride + std::ptrdiff_t(image[k].of) * layer.length;
-      T* __restrict to = layer.ghost + row * layer.stride + std::ptrdiff_t(k) * layer.length;
+      const T* __restrict from = layer.original + row * layer.stride + image[k].of * layer.component;
+      T* __restrict to = layer.ghost + row * layer.stride + std::ptrdiff_t(k) * layer.component;
       const T sign = T(image[k].sign);
       for (int i = 0; i < layer.length; ++i) to[i] = sign * from[i];
     }
@@ -61,8 +68,8 @@ CAPSTAN_VECTOR_UNITS void put_reversed_images(const Layer<T>& layer, std::span<c
   for (int row = 0; row < layer.rows; ++row)
     for (std::size_t k = 0; k < image.size(); ++k) {
       const T* __restrict from =
-          layer.original + row * layer.stride + std::ptrdiff_t(image[k].of) * layer.length + count - 1;
-      T* __restrict to = layer.ghost + row * layer.stride + std::ptrdiff_t(k) * layer.length;
+          layer.original + row * layer.stride + image[k].of * layer.component + count - 1;
+      T* __restrict to = layer.ghost + row * layer.stride + std::ptrdiff_t(k) * layer.component;
       const T sign = T(image[k].sign);
       // Beyond `count` this reads numbers of other rows and writes them into the padding, where they do not
       // matter.
@@ -86,11 +93,15 @@ int original_index(const IndexBox& box, int axis, int side, SideRule rule) {
 template <class T>
 Layer<T> layer_of(const RowField<T>& from_field, RowField<T>& field, int axis, int from, int to) {
   const IndexBox& box = field.box();
-  const Strides strides = field.strides();
-  const int y = box.lo[1] - 1, z = box.lo[2] - 1, length = int(strides.component);
-  if (axis == 1)
-    return {from_field.row(0, from, z) - 1, field.row(0, to, z) - 1, strides.z, box.size(2) + 2, length};
-  return {from_field.row(0, y, from) - 1, field.row(0, y, to) - 1, strides.y, box.size(1) + 2, length};
+  const Strides& strides = field.strides();
+  const int y = box.lo[1] - 1, z = box.lo[2] - 1;
+  const bool is_y = axis == 1;
+  return {.original = (is_y ? from_field.row(0, from, z) : from_field.row(0, y, from)) - 1,
+          .ghost = (is_y ? field.row(0, to, z) : field.row(0, y, to)) - 1,
+          .stride = is_y ? strides.z : strides.y,
+          .component = strides.component,
+          .rows = box.size(is_y ? 2 : 1) + 2,
+          .length = field.row_length()};
 }
 
 template <class T>
@@ -99,7 +110,7 @@ void fill_side(RowField<T>& field, int axis, int side, SideRule rule, const Imag
   const IndexBox& box = field.box();
   const Layer<T> layer =
       layer_of(field, field, axis, original_index(box, axis, side, rule), ghost_index(box, axis, side));
-  if (rule == SideRule::periodic) return copy_layer(layer, field.strides().y);
+  if (rule == SideRule::periodic) return copy_layer(layer, field.components());
   const auto image = rule == SideRule::wall     ? images.wall
                      : rule == SideRule::mirror ? images.mirror
                                                 : images.half_turn;
@@ -128,7 +139,7 @@ void copy_interpolated(const RowField<T>& from, RowField<T>& to, const SideRules
     for (int side : {0, 1}) {
       if (rules.side[axis][side] != SideRule::interpolated) continue;
       const int at = ghost_index(from.box(), axis, side);
-      copy_layer(layer_of(from, to, axis, at, at), to.strides().y);
+      copy_layer(layer_of(from, to, axis, at, at), to.components());
     }
 }
 

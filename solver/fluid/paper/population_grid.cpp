@@ -69,9 +69,9 @@ void subtract(const RowField<double>& a, const RowField<double>& b, RowField<dou
 PopulationGrid::PopulationGrid(const IndexBox& box, const PopulationGridSettings& settings)
     : settings_(settings),
       transfer_(settings.rates),
-      f_(box, kQ),
+      f_(box, kQ, Layout::separate_components),
       ambient_s_nu_(box.size(0) + 2, stress_rate(settings.nu_lu)),
-      next_(box, kQ) {
+      next_(f_) {
   assert(box == box_from_zero(box.hi));
 }
 
@@ -147,9 +147,7 @@ void PopulationGrid::bounce_back(int q, int y, int z, const RowBuffer& row, doub
 }
 
 void PopulationGrid::restrict_to(PopulationGrid& coarse) {
-  if (!coarse.coarse_)
-    coarse.coarse_.emplace(
-        CoarseProblem{RowField<double>(coarse.box(), kQ), RowField<double>(coarse.box(), kQ)});
+  if (!coarse.coarse_) coarse.coarse_.emplace(CoarseProblem{.defect = coarse.f_, .start = coarse.f_});
   transfer_.restrict_state(f_, coarse.coarse_->start);
   coarse.f_ = coarse.coarse_->start;
   sweep_residual();

@@ -8,8 +8,8 @@
 namespace capstan {
 namespace {
 
-constexpr int kBlock =
-    256;  // numbers of a row that are handled at a time: their sums fit into the first-level cache
+// Numbers of a row that are handled at a time: their sums fit into the first-level cache.
+constexpr int kBlock = 256;
 
 /// A part of a row, by indices of its numbers in memory: 0 is the ghost before the first cell, and the last
 /// are padding. So loops run over whole vector registers. Results for ghosts and padding are discarded

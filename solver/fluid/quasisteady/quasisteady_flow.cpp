@@ -21,8 +21,8 @@ constexpr double kMinContraction = 0.2, kMaxContraction = 0.95;
 // they save.
 constexpr CycleShape kCycle{.pre = 0, .post = 2, .visits = 2, .single_visits = 2, .coarsest = 10};
 
-constexpr int kSmoothing =
-    2;  // cells on either side of the membrane over which the jump of the viscosity is smoothed
+// Cells on either side of the membrane over which the jump of the viscosity is smoothed.
+constexpr int kSmoothing = 2;
 
 GridGeometry finest_grid(double dx) { return {Vec3::Constant(dx / 2), dx}; }
 

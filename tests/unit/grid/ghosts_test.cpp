@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace capstan {
 namespace {
 
@@ -36,30 +38,29 @@ TEST(Ghosts, OfSymmetryPlanesAreTheImagesOfTheCells) {
 }
 
 /// Two components that are each other's image behind a wall; periodic in x and z.
-TEST(Ghosts, BetweenWallsArePermutedComponentsEdgesAndCornersIncluded) {
+TEST(Ghosts, BetweenWallsArePermutedComponentsInEveryLayoutEdgesAndCornersIncluded) {
   constexpr ImageComponent kExchanged[] = {{1, 1}, {0, 1}};
   const IndexBox box = box_from_zero({3, 2, 4});
   const SideRules rules{{{{SideRule::periodic, SideRule::periodic},
                           {SideRule::wall, SideRule::wall},
                           {SideRule::periodic, SideRule::periodic}}}};
   const auto value = [](int k, int x, int y, int z) { return 1000 * k + 100 * x + 10 * y + z; };
-  RowField<float> field(box, 2);
-  for_each_row_in_order(box, [&](int y, int z) {
-    for (int k = 0; k < 2; ++k)
-      for (int x = 0; x < 3; ++x) field.row(k, y, z)[x] = float(value(k, x, y, z));
-  });
-  fill_ghosts(field, rules, {.wall = kExchanged, .mirror = {}, .half_turn = {}});
-  for_each_row_in_order(grown(box, 1), [&](int y, int z) {
-    const bool is_behind_wall = y < 0 || y > 1;
-    for (int k = 0; k < 2; ++k)
-      for (int x = -1; x <= 3; ++x)
-        EXPECT_EQ(field.row(k, y, z)[x], float(value(is_behind_wall ? 1 - k : k, periodic(x, 3),
-                                                     y < 0   ? 0
-                                                     : y > 1 ? 1
-                                                             : y,
-                                                     periodic(z, 4))))
-            << k << " " << x << " " << y << " " << z;
-  });
+  for (const Layout layout : {Layout::components_in_rows, Layout::separate_components}) {
+    RowField<float> field(box, 2, layout);
+    for_each_row_in_order(box, [&](int y, int z) {
+      for (int k = 0; k < 2; ++k)
+        for (int x = 0; x < 3; ++x) field.row(k, y, z)[x] = float(value(k, x, y, z));
+    });
+    fill_ghosts(field, rules, {.wall = kExchanged, .mirror = {}, .half_turn = {}});
+    for_each_row_in_order(grown(box, 1), [&](int y, int z) {
+      const bool is_behind_wall = y < 0 || y > 1;
+      for (int k = 0; k < 2; ++k)
+        for (int x = -1; x <= 3; ++x)
+          EXPECT_EQ(field.row(k, y, z)[x], float(value(is_behind_wall ? 1 - k : k, periodic(x, 3),
+                                                       std::clamp(y, 0, 1), periodic(z, 4))))
+              << k << " " << x << " " << y << " " << z;
+    });
+  }
 }
 
 }  // namespace
