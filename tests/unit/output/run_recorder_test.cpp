@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 
+#include "solver/run_directory/history_line.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/memory_output.hpp"
 #include "tests/support/parsed_case.hpp"

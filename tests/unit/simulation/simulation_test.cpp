@@ -61,9 +61,9 @@ TEST(Simulation, EveryFlowIterationIsRecordedOnce) {
   MemoryOutput output;
   Simulation simulation(small_case());
   simulation.run(output);
-  long recorded = 0;
+  double recorded = 0;
   for (const Record& record : output.records) recorded += record["iterations"];
-  EXPECT_EQ(recorded, simulation.statistics().flow_iterations);
+  EXPECT_EQ(recorded, double(simulation.statistics().flow_iterations));
 }
 
 TEST(Simulation, ThatDivergesGivesTimeAndReasonAndKeepsItsHistory) {
