@@ -81,7 +81,7 @@ TEST_F(ServiceTest, CaseThatCannotBeStartedStaysInTheQueue) {
   const std::string id = service_->submit(sample_study("study", {{"Ca", {0.25}}})).study_id;
   EXPECT_THROW(service_->tick(), std::runtime_error);
   EXPECT_EQ(cases(id)[0]["state"], "queued");
-  EXPECT_EQ(cases(id)[0]["message"], "could not be started: no process to be had");
+  EXPECT_EQ(cases(id)[0]["message"], "could not be started: cannot start a process");
   EXPECT_EQ(cases(id)[0]["attempt"], 0);
   executor_.is_broken = false;
   clock_.advance(JobQueue::kBackOff);
