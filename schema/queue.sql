@@ -1,5 +1,5 @@
--- Tables of the daemon's database, format 6. schema/migrations/ holds the steps from format to format: an older database
--- runs through those that it lacks, a new one is made from this file. Both have the same tables.
+-- Tables of the daemon's database, format 6. schema/migrations/ has one script for each step from a format to the next:
+-- an older database runs the scripts that it lacks, a new one is made from this file. Both have the same tables.
 --
 -- Times are milliseconds since 1970, UTC. The daemon is the only writer. schema/life_cycle.md draws the states of a case.
 
@@ -42,7 +42,7 @@ CREATE TABLE study_cases (
   study_id TEXT NOT NULL REFERENCES studies (id),
   position INTEGER NOT NULL,                    -- from 0, in the order of the study
   case_id  TEXT NOT NULL REFERENCES cases (id),
-  replaces TEXT,                                -- the case of this point before a retry at another fidelity
+  replaces TEXT,                                -- the case of this point before a retry or a new numerics version
   asked    TEXT,                                -- {"Ca": 0.25, "fluid": "auto", ..}; NULL until derived for an older study
   PRIMARY KEY (study_id, position)
 ) WITHOUT ROWID;
@@ -53,7 +53,7 @@ CREATE INDEX points_without_values ON study_cases (study_id) WHERE asked IS NULL
 CREATE TABLE attempts (
   case_id    TEXT NOT NULL REFERENCES cases (id),
   attempt    INTEGER NOT NULL,
-  handle     TEXT NOT NULL DEFAULT '',   -- the executor's name of the run
+  handle     TEXT NOT NULL DEFAULT '',   -- the executor's name for the run
   started_at INTEGER NOT NULL,
   ended_at   INTEGER,
   ending     TEXT,                       -- done, failed, diverged, interrupted or crashed; NULL while it runs
@@ -74,7 +74,7 @@ CREATE TABLE histories (
   PRIMARY KEY (case_id, record)
 ) WITHOUT ROWID;
 
--- POST /v1/studies with an Idempotency-Key: the document that came with the key.
+-- POST /v1/studies with an Idempotency-Key: the hash of the study that was sent with the key.
 CREATE TABLE idempotency_keys (
   key           TEXT PRIMARY KEY,
   document_hash TEXT NOT NULL,
@@ -85,7 +85,7 @@ CREATE TABLE idempotency_keys (
 -- their row here: a daemon that is killed in between continues with the rest.
 CREATE TABLE unwanted_cases (case_id TEXT PRIMARY KEY) WITHOUT ROWID;
 
--- Whose turn it is -----------------------------------------------------------------------------------------------------
+-- The order in which studies are served -------------------------------------------------------------------------------
 
 CREATE TABLE schedule (
   number    INTEGER PRIMARY KEY REFERENCES studies (number),
@@ -93,7 +93,7 @@ CREATE TABLE schedule (
   priority  INTEGER NOT NULL DEFAULT 0,   -- the higher, the sooner
   is_paused INTEGER NOT NULL DEFAULT 0,
   served    INTEGER NOT NULL DEFAULT 0,   -- grows with every claim: studies of one priority take turns
-  waiting   INTEGER NOT NULL DEFAULT 0    -- number of its rows in the table of that name
+  waiting   INTEGER NOT NULL DEFAULT 0    -- number of the study's rows in the table `waiting`
 );
 CREATE INDEX turns ON schedule (priority DESC, served) WHERE waiting > 0 AND is_paused = 0;
 CREATE INDEX schedule_by_served ON schedule (served);
@@ -143,9 +143,10 @@ WHEN (NEW.cancelled_at IS NULL) <> (OLD.cancelled_at IS NULL) BEGIN
     WHERE p.study_id = NEW.id AND c.state = 'queued' AND NEW.cancelled_at IS NULL;
 END;
 
--- Counts, kept by triggers as their cases change: no statement of any program can leave them wrong ----------------------
+-- Counts: triggers update them at each change of a case, so no program can leave them wrong -----------------------------
 
--- By state: the distinct cases of the study and their summed cost. By motion and for the word 'points': its points.
+-- One row for each state: number and summed cost of the study's distinct cases. One row for each motion: number of its
+-- points. One row 'points': number of all its points.
 CREATE TABLE tallies (
   study_id TEXT NOT NULL REFERENCES studies (id),
   word     TEXT NOT NULL,   -- a state, a motion or 'points'
@@ -154,7 +155,7 @@ CREATE TABLE tallies (
   PRIMARY KEY (study_id, word)
 ) WITHOUT ROWID;
 
--- What the tallies must be, counted from the cases: schema/recount.sql and `capstan doctor`.
+-- The values that `tallies` must have, counted from the cases; for schema/recount.sql and `capstan doctor`.
 CREATE VIEW counted_tallies (study_id, word, count, cost) AS
   SELECT study_id, state, count(*), total(cost)
     FROM (SELECT DISTINCT study_id, case_id FROM study_cases) JOIN cases ON id = case_id GROUP BY study_id, state
@@ -202,8 +203,8 @@ END;
 
 -- Over all studies, for monitoring: cases by state, attempts by ending. Attempts of deleted cases stay counted.
 CREATE TABLE totals (
-  what  TEXT NOT NULL,   -- cases, attempts
-  name  TEXT NOT NULL,   -- the state, the ending
+  what  TEXT NOT NULL,   -- 'cases' or 'attempts'
+  name  TEXT NOT NULL,   -- a state of cases, or an ending of attempts
   count INTEGER NOT NULL,
   PRIMARY KEY (what, name)
 ) WITHOUT ROWID;

@@ -42,7 +42,7 @@ else
   files=$(all_files) what="all files, because there is no earlier revision"
 fi
 
-# A name that breaks the rules must be found: else the settings are not read, and nothing would be.
+# Checks that clang-tidy finds a name that breaks the rules. If not, it has not read its settings and finds nothing.
 mkdir -p build/tidy
 echo 'int BadName() { return 0; }' >build/tidy/finding.cpp
 if clang-tidy-14 --quiet --config-file=.clang-tidy build/tidy/finding.cpp -- -std=c++20 >build/tidy/log 2>&1 ||

@@ -1,5 +1,5 @@
 #pragma once
-// Commands that ask the server the same about each of several studies or cases.
+// Commands that send the same request to the server for each of several studies or cases.
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -20,8 +20,9 @@ struct Answer {
 int print_answers(const std::vector<std::string>& targets, bool json,
                   const std::function<Answer(const std::string& target)>& ask);
 
-/// Ids or paths of everything that was typed. Resolves all of it before the command changes anything.
-/// \param resolve  study_id, whole_study_id or path_of_any
+/// The ids, or the paths on the server, of everything that the user typed. All of it is resolved before the
+/// command changes anything.
+/// \param resolve  study_id, whole_study_id or path_of_any (resolve.hpp)
 std::vector<std::string> resolve_all(
     Client& client, const std::vector<std::string>& typed,
     const std::function<std::string(Client&, const std::string& typed)>& resolve);

@@ -41,19 +41,21 @@ class Client {
   /// \param query  parameters, not encoded; names may repeat
   nlohmann::ordered_json get(const std::string& path,
                              const std::multimap<std::string, std::string>& query = {});
-  /// Calls `use` with the items of each page of a list. \param list  their key in a page
+  /// Calls `use` with the items of each page of a list.
+  /// \param list  key of the items in a page, such as "studies"
   void for_each_page(const std::string& path, const std::string& list,
                      const std::function<void(const nlohmann::ordered_json& items)>& use);
-  /// All items of a list. \param list  their key in a page
+  /// All items of a list, from all pages.
+  /// \param list  key of the items in a page, such as "studies"
   nlohmann::ordered_json get_all(const std::string& path, const std::string& list);
   nlohmann::ordered_json post(const std::string& path, const std::string& body);
   nlohmann::ordered_json remove(const std::string& path);
 
  private:
   std::string server_;
-  std::string prefix_;  ///< of all paths
-  /// The public base of the library's plain and TLS clients. httplib::Client, which chooses between them by
-  /// URL, does not accept IPv6 addresses with letters.
+  std::string prefix_;  ///< put before every path: the path of the server's URL
+  /// The common base class of the library's HTTP and HTTPS clients. httplib::Client would choose between them
+  /// by the URL, but does not accept IPv6 addresses with letters.
   std::unique_ptr<httplib::ClientImpl> http_;
 };
 

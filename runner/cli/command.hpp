@@ -13,13 +13,14 @@ namespace capstan {
 struct Command {
   std::string name;
   std::string summary;  ///< one line, for the list of commands
-  /// Adds the options to the command's parser. Returns the function to call once the command line is parsed;
-  /// it runs the command and returns the exit code. It owns the arguments, so keep it until then.
+  /// Adds the options to the command's parser. Returns a function that runs the command and returns the exit
+  /// code; it is called once the command line is parsed. The function owns the variables that the options
+  /// fill in, so it must be kept until then.
   std::function<std::function<int()>(CLI::App& parser)> declare = nullptr;
-  std::vector<Command> subcommands = {};  ///< of a group, whose `declare` is empty
+  std::vector<Command> subcommands = {};  ///< of a group; the `declare` of a group is empty
 };
 
-/// Adds one option to a parser, which stores the value in a member of the arguments.
+/// Adds one option to a parser. The parser stores the value in a member of the arguments.
 template <class Arguments>
 using Option = std::function<void(CLI::App& parser, Arguments& arguments)>;
 

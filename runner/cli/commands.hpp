@@ -22,8 +22,8 @@ int serve(const ServeArguments& arguments);
 
 struct UpkeepArguments {
   std::string data = "capstan-data";
-  bool repair = false;  ///< of examine_data
-  std::string file;     ///< of back_up
+  bool repair = false;  ///< for examine_data
+  std::string file;     ///< for back_up
   bool json = false;
 };
 int examine_data(const UpkeepArguments& arguments);
@@ -46,10 +46,10 @@ int submit_study(const SubmitArguments& arguments);
 
 struct StudyArguments {
   std::vector<std::string> ids;         ///< as typed: ids, beginnings of ids, names of studies
-  std::string format = "table";         ///< of print_results: table, csv, json
-  std::string x, y;                     ///< of print_phase_diagrams: axes to draw; empty: the server chooses
-  std::vector<std::string> at;          ///< of print_phase_diagrams: AXIS=VALUE for axes that are not drawn
-  std::optional<std::string> fidelity;  ///< of retry_studies: a preset
+  std::string format = "table";         ///< for print_results: table, csv, json
+  std::string x, y;                     ///< for print_phase_diagrams: axes to draw; empty: the server chooses
+  std::vector<std::string> at;          ///< for print_phase_diagrams: AXIS=VALUE for axes that are not drawn
+  std::optional<std::string> fidelity;  ///< for retry_studies: a preset
   bool json = false;
   std::string server = kDefaultServer;
 };

@@ -8,7 +8,7 @@
 
 namespace {
 
-/// A benchmark that prints its tables itself.
+/// Returns a function that runs the benchmark and prints its report.
 auto printing(void (*benchmark)(capstan::BenchReport& report)) {
   return [benchmark](std::ostream& out, bool json) {
     capstan::BenchReport report(out, json);

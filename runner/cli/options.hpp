@@ -1,11 +1,11 @@
 #pragma once
-// Options that several commands share. Each is a function of a parser and of arguments that have the member
-// named below.
+// Options that several commands share. Each of these adds one option to a parser, which stores the value in
+// the named member of the command's arguments.
 #include <CLI/CLI.hpp>
 
 namespace capstan::options {
 
-/// --server: the member `server`
+/// --server, stored in `server`.
 inline constexpr auto server = [](CLI::App& parser, auto& arguments) {
   parser.add_option("--server", arguments.server, "the server to ask; https:// where a proxy adds it")
       ->type_name("URL")
@@ -13,19 +13,19 @@ inline constexpr auto server = [](CLI::App& parser, auto& arguments) {
       ->capture_default_str();
 };
 
-/// --json: the member `json`
+/// --json, stored in `json`.
 inline constexpr auto json = [](CLI::App& parser, auto& arguments) {
   parser.add_flag("--json", arguments.json, "print one JSON document instead of text");
 };
 
-/// --data: the member `data`, of a directory that exists
+/// --data, stored in `data`. The directory must exist.
 inline constexpr auto data = [](CLI::App& parser, auto& arguments) {
   parser.add_option("--data", arguments.data, "the data directory of a server")
       ->type_name("DIR")
       ->capture_default_str();
 };
 
-/// ID...: the member `ids`, of a command that treats each of several studies alike
+/// ID..., stored in `ids`: the studies that the command treats alike.
 inline constexpr auto study_ids = [](CLI::App& parser, auto& arguments) {
   parser
       .add_option("ID", arguments.ids,
@@ -33,14 +33,16 @@ inline constexpr auto study_ids = [](CLI::App& parser, auto& arguments) {
       ->required();
 };
 
-/// FILE: the member `file`. \param description  of the file, for --help
+/// FILE, stored in `file`.
+/// \param description  of the file, for --help
 inline auto file(const char* description) {
   return [description](CLI::App& parser, auto& arguments) {
     parser.add_option("FILE", arguments.file, description)->required();
   };
 }
 
-/// --cores: the member `cores`. \param description  for --help
+/// --cores, stored in `cores`.
+/// \param description  for --help
 inline auto cores(const char* description) {
   return [description](CLI::App& parser, auto& arguments) {
     parser.add_option("--cores", arguments.cores, description)

@@ -14,21 +14,24 @@ struct Study;
 struct Benchmark {
   std::string name, summary;
   std::string duration;  ///< in words: "about a minute"
-  /// Prints tables, with `json` one JSON document.
+  /// Prints tables, or one JSON document if `json` is set.
   std::function<void(std::ostream& out, bool json)> run;
 };
 
 /// The commands that need the whole solver. They are handed in by main(), because the library of the other
 /// commands is not linked with it. Each function returns the exit code.
 struct WorkerCommands {
-  /// `capstan solve`. \param out  run directory  \param wall_seconds  after these the run stops with a
-  /// checkpoint
+  /// `capstan solve`.
+  /// \param out           run directory
+  /// \param wall_seconds  time limit: then the run writes a checkpoint and stops
   std::function<int(const std::filesystem::path& case_file, const std::filesystem::path& out,
                     double wall_seconds)>
       solve;
   /// `capstan compare`
   std::function<int(const std::vector<std::filesystem::path>& case_files, bool json)> compare = nullptr;
-  /// `capstan estimate`. \param study  valid  \param cores  number of cases that would run side by side
+  /// `capstan estimate`.
+  /// \param study  a valid study
+  /// \param cores  number of cases that would run at the same time
   std::function<int(const Study& study, int cores, bool json)> estimate = nullptr;
   /// `capstan bench`
   std::vector<Benchmark> benchmarks = {};

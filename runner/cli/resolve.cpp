@@ -26,7 +26,8 @@ ordered_json matches(Client& client, const std::string& typed) {
   throw std::invalid_argument(text);
 }
 
-/// The only match; throws if there is none or more than one. \param kind  of the matches, for the message
+/// Returns the only match; throws if there is none or more than one.
+/// \param kind  of the matches, for the message
 std::string only_match(const std::string& kind, const std::string& typed,
                        const std::vector<std::string>& found) {
   if (found.empty())

@@ -17,8 +17,8 @@ std::string path_of_any(Client& client, const std::string& typed);
 /// The id of the study; throws as path_of_any does.
 std::string study_id(Client& client, const std::string& typed);
 
-/// The id of a study that is to be deleted. Refuses the beginning of an id (std::invalid_argument): typed a
-/// second time it could match another study.
+/// The id of a study that is to be deleted. Refuses an abbreviated id (std::invalid_argument): once the study
+/// is deleted, the same abbreviation could match another study.
 std::string whole_study_id(Client& client, const std::string& typed);
 
 }  // namespace capstan

@@ -20,7 +20,7 @@ namespace capstan {
 namespace {
 
 /// Makes malloc keep freed memory for the next request. Returning it to the system after each request took a
-/// third of the daemon's time; the server returns it some times a second instead (trim_memory).
+/// third of the daemon's time; the server returns it at most four times a second instead (trim_memory).
 void keep_freed_memory() {
   constexpr int kKept = 1'000'000;  // bytes; the limit of each arena
   mallopt(M_TRIM_THRESHOLD, kKept);

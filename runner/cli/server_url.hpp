@@ -8,9 +8,9 @@ inline constexpr const char* kDefaultServer = "http://127.0.0.1:8017";
 
 struct ServerUrl {
   bool is_secure = false;
-  std::string host;  ///< of an IPv6 address without brackets
+  std::string host;  ///< an IPv6 address is without brackets
   int port = 0;
-  std::string prefix;  ///< of all paths, as "/capstan" behind a proxy; or ""
+  std::string prefix;  ///< put before every path, such as "/capstan" behind a proxy; or ""
 
   std::string authority() const;  ///< "[::1]:8017"; without the port if it is the scheme's default
 };

@@ -24,8 +24,9 @@ bool reader_is_gone() {
 void occupy_closed_streams() {
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;
-    open("/dev/null",
-         stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // takes the lowest free descriptor: this one
+    open(
+        "/dev/null",
+        stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // open() returns the lowest free descriptor: `stream`
   }
 }
 

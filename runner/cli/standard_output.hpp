@@ -3,9 +3,9 @@
 
 namespace capstan {
 
-/// Opens /dev/null in place of standard streams that the caller has closed, in the direction that makes every
-/// read or write fail. Otherwise the next file that the program opens would take the descriptor and receive
-/// its output.
+/// Opens /dev/null in place of each standard stream that the caller has closed: standard input for writing
+/// only, the outputs for reading only, so that every read or write fails. Otherwise the next file that the
+/// program opens would take the descriptor and receive its output.
 void occupy_closed_streams();
 
 /// Flushes standard output. Returns false if something that was printed is lost. Prints the reason to

@@ -27,13 +27,14 @@ std::multimap<std::string, std::string> section_query(const StudyArguments& argu
   return query;
 }
 
-/// On a terminal, unless NO_COLOR is set (https://no-color.org).
+/// True on a terminal, unless NO_COLOR is set (https://no-color.org).
 bool colours_are_wanted() {
   const char* no_color = std::getenv("NO_COLOR");
   return isatty(STDOUT_FILENO) == 1 && (!no_color || *no_color == '\0');
 }
 
-/// \param reason  of a case a sentence, of a study a sentence with the number of cases to which it applies
+/// \param reason  for a case a sentence; for a study an object with a sentence and the number of cases to
+///                which it applies
 std::string reason_text(const ordered_json& reason) {
   if (reason.is_string()) return printable(reason.get<std::string>());
   return cases_text(reason["cases"].get<std::int64_t>()) + ": " +

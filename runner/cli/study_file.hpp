@@ -13,7 +13,7 @@ namespace capstan {
 struct InputDocument {
   std::optional<Study> study;
   std::optional<Case> single_case;
-  Choices choices;  ///< of the case
+  Choices choices;  ///< what the solver chose for the case
   Issues issues;    ///< not empty if the document is neither
 };
 InputDocument parse_document(const std::string& text);

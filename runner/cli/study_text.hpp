@@ -14,7 +14,7 @@ std::string size_text(std::size_t points, std::size_t cases);
 /// "1 case", "4 queued cases". \param adjective  may be empty
 std::string cases_text(std::int64_t count, const std::string& adjective = "");
 
-/// One line a note.
+/// One line for each note.
 std::string notes_text(const std::vector<std::string>& notes);
 
 /// The description, state, progress, axes and motions of a study, several lines.

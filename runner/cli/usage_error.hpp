@@ -9,8 +9,8 @@ class Error;
 
 namespace capstan {
 
-/// The message, with the name of an unknown command or option and the one that was probably meant, and the
-/// --help to read.
+/// The message for a wrong command line. It names an unknown command or option, suggests the one that was
+/// probably meant, and says which --help to read.
 std::string usage_error_text(const CLI::App* program, const CLI::Error& error);
 
 }  // namespace capstan

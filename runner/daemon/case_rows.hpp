@@ -19,16 +19,16 @@ struct StoredCase {
   nlohmann::json document;
 };
 
-/// \param rows  of a query for id and document
+/// \param rows  a query with the columns id and document
 std::vector<StoredCase> read_cases(Statement rows);
 
 /// Parses a document that an earlier version stored: keys that have no effect today are dropped.
 ParsedCase parse_stored_case(nlohmann::json document);
 
-/// Applies `change` to the cases of a query for id and document, in batches of one transaction each, until
-/// the query finds none: a change must take its case out of the query. The memory of a large database stays
-/// bounded, and a start that is killed continues where it was.
-/// \param sql  with one parameter: the size of a batch
+/// Applies `change` to all cases that a query returns, in batches of one transaction each, until the query
+/// returns none. So `change` must alter each case such that the query no longer returns it. Batches bound the
+/// memory that a large database needs, and a start that is killed continues where it was.
+/// \param sql  a query with the columns id and document; its one parameter is the size of a batch
 void change_in_batches(Database& database, const std::string& sql,
                        const std::function<void(const StoredCase&)>& change);
 

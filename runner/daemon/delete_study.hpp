@@ -1,5 +1,5 @@
 #pragma once
-// Deletion of a study: its rows at once, its cases in batches, their run directories after them.
+// Deletes a study: its own rows at once, its cases in batches, the run directory of a case after its rows.
 #include <optional>
 #include <string>
 #include <vector>

@@ -9,7 +9,7 @@
 
 namespace capstan {
 
-/// The executor's name of a run. It is stored in the database, so that a later daemon can find the run.
+/// The executor's name for a run. It is stored in the database, so that a later daemon can find the run.
 using RunHandle = std::string;
 
 enum class StopBy {

@@ -67,8 +67,8 @@ bool LocalExecutor::wait_until_free(const RunDirectory& directory) {
   return false;
 }
 
-/// A child that has not been reaped keeps its process id: so it need not be identified in /proc, which may
-/// fail.
+/// A child that has not been reaped keeps its process id. So the signal cannot reach another process, and the
+/// child need not be identified in /proc, which may fail.
 void LocalExecutor::cancel(const RunHandle& run, StopBy stop) {
   const auto process = process_from_text(run);
   if (!process || (!children_.contains(run) && !is_alive(*process))) return;

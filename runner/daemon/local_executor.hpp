@@ -13,8 +13,7 @@ namespace capstan {
 class LocalExecutor : public Executor {
  public:
   /// \param program  started as PROGRAM solve CASE.json --out DIR. By default the program that is running,
-  /// even if its
-  ///                 file has been replaced since its start
+  ///                 even if its file has been replaced since its start
   explicit LocalExecutor(std::filesystem::path program = "/proc/self/exe");
 
   RunHandle start(const RunDirectory& directory) override;

@@ -29,13 +29,15 @@ json column_of_study(Database& database, const char* column, const std::string& 
   return json::parse(row.text(0));
 }
 
-/// The study of a stored document; nothing if it resolves to another number of cases today.
+/// Parses a stored document by today's rules. Nothing if it is invalid, or if it gives another number of
+/// cases than are stored.
 std::optional<Study> parse_stored_study(const json& document, std::size_t cases) {
   ParsedStudy parsed = parse_study(document);
   return parsed.value && parsed.value->cases.size() == cases ? std::move(parsed.value) : std::nullopt;
 }
 
-/// One point for each of the study's, with the case of its stored row.
+/// The points of the study. Each takes the case id of the stored row for its case.
+/// \param stored  one row for each case of the study
 std::vector<Point> points_of(const Study& study, const std::vector<Point>& stored) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < study.points.size(); ++i) {
@@ -46,7 +48,7 @@ std::vector<Point> points_of(const Study& study, const std::vector<Point>& store
   return points;
 }
 
-/// Values asked for at a point, reconstructed: the base, and on each axis the value of the case.
+/// Reconstructs the values asked for at a point: those of the base and, for each axis, the value of the case.
 json asked_by_case(Database& database, const Point& point, const json& base, const json& axes) {
   Statement row = database.query("SELECT document FROM cases WHERE id = ?", point.case_id);
   row.step();

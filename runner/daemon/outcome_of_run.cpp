@@ -6,7 +6,8 @@
 namespace capstan {
 namespace {
 
-/// The end of a run that the environment caused; nothing if it did not.
+/// An interruption, if the process reported an error because its directory was removed or the disk was full;
+/// else nothing.
 std::optional<RunOutcome> interruption_by_environment(const ProcessEnd& end, const RunDirectory& directory,
                                                       const FreeSpace& free_space) {
   if (end.how != ProcessEnd::How::exited || end.number != kExitError) return std::nullopt;

@@ -6,14 +6,14 @@
 
 namespace capstan {
 
-/// As outcome_of, but where the files of the run cannot be read now the run counts as interrupted: its case
-/// waits in the queue, and the files are read at its next start. Throws std::filesystem::filesystem_error if
-/// the daemon itself lacks descriptors or memory.
+/// Like outcome_of, but a run whose files cannot be read at present counts as interrupted: its case is queued
+/// again, and the files are read when it is started next. Throws std::filesystem::filesystem_error if the
+/// daemon itself lacks descriptors or memory.
 RunOutcome readable_outcome_of(const ProcessEnd& end, const RunDirectory& directory);
 
 /// The outcome of a run whose process has ended. Precedence: result.json, then why the daemon stopped the
-/// run, then the exit status of the process. An error exit is an interruption where the disk was full or the
-/// directory was removed.
+/// run, then the exit status of the process. A process that reported an error while the disk was full, or
+/// after its directory was removed, counts as interrupted.
 RunOutcome outcome_of_run(const RunSupervision& run, const RunDirectory& directory,
                           const FreeSpace& free_space);
 

@@ -25,7 +25,7 @@ void remove_point(Database& database, const Point& point);
 std::vector<Point> points_of_case(Database& database, const std::string& case_id,
                                   const std::string& study_id);
 
-/// [{"parameter": .., "values": [..]}, ..]: the column `axes` of a study.
+/// The axes as JSON, as in the column `axes` of a study: [{"parameter": .., "values": [..]}, ..].
 nlohmann::json listed(const std::vector<Axis>& axes);
 
 /// Adds the points of studies that a version before format 5 stored with one row a case and without the

@@ -1,5 +1,5 @@
 #pragma once
-// The identity of a process. Its process id alone is not enough, as the kernel uses ids again.
+// The identity of a process. Its process id alone is not enough, because the kernel reuses ids.
 #include <sys/types.h>
 
 #include <optional>

@@ -12,8 +12,7 @@
 namespace capstan {
 
 /// Shared by the threads of the clients and the thread of the loop: hold `mutex` while using `database` or
-/// `queue`. The member functions take no part in that; they may be called from any thread, with or without
-/// `mutex`.
+/// `queue`. The member functions do not need it: any thread may call them, with or without `mutex`.
 class QueueWriter {
  public:
   QueueWriter(const std::filesystem::path& file, const Clock& clock, std::chrono::milliseconds lease)

@@ -9,8 +9,8 @@
 namespace capstan {
 namespace {
 
-/// A case that is done keeps its newest checkpoint, from which it could be prolonged. A diverged one keeps
-/// none: it would diverge again. Failing to remove a file costs space only.
+/// A case that is done keeps its newest checkpoint, from which it could be continued. A diverged one keeps
+/// none: it would diverge again. If a file cannot be removed, only disk space is lost.
 void remove_spare_checkpoints(const std::string& case_id, const RunDirectory& directory, RunEnding ending) {
   if (ending != RunEnding::done && ending != RunEnding::diverged) return;
   const auto [newest, other] = checkpoint_files(directory, case_id, kNumericsVersion);

@@ -21,8 +21,8 @@ void replace(Database& database, const std::string& old_id, const Case& by,
   }
 }
 
-/// Issues of the fidelity in the study's first case, apart from settings without effect in its flow model.
-/// None if there is no such study.
+/// The issues that the study's first case has at this fidelity. Settings without effect in its flow model are
+/// no issues. None if there is no such study.
 Issues issues_of_fidelity(Database& database, const std::string& study_id, const nlohmann::json& fidelity) {
   Issues issues;
   for (auto& [id, document] :

@@ -15,8 +15,8 @@ namespace capstan {
 /// \param fidelity  as in a case file: a preset or an object of settings
 Issues replace_failed(Database& database, const std::string& study_id, const nlohmann::json& fidelity);
 
-/// Replaces queued cases of earlier numerics versions by those of the present one: their ids promise results
-/// that this solver does not compute.
+/// Replaces queued cases of earlier numerics versions by those of the present one. The version is a part of a
+/// case's id, and this solver computes results of the present version only.
 void replace_outdated(Database& database);
 
 }  // namespace capstan

@@ -56,7 +56,7 @@ void RunSupervision::kill() {
   is_killed_ = true;
 }
 
-/// Leases expire by the time of day. If that was set back or forward, the lease is renewed at once.
+/// A lease expires at a time of day. If the clock was set back or forward, the lease is renewed at once.
 void RunSupervision::keep_lease(JobQueue& queue) {
   const auto since = clock_->now() - renewed_;
   if (is_killed_ || (since >= since.zero() && since < heartbeat_)) return;

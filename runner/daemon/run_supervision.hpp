@@ -27,8 +27,8 @@ class RunSupervision {
   RunSupervision(Claim claim, Executor& executor, const Clock& clock, RunLimits limits,
                  std::chrono::milliseconds heartbeat);
 
-  /// At each heartbeat: kills a run that has not used any processor time during as many heartbeats as a lease
-  /// has.
+  /// At each heartbeat: kills a run that has not used any processor time for the duration of a lease
+  /// (kHeartbeats heartbeats).
   void check_progress();
   /// Kills a run that uses too much memory. Asks one that takes too long to stop: it may write a checkpoint,
   /// from which `capstan retry` resumes.

@@ -19,7 +19,8 @@ Scheduler::Scheduler(QueueWriter& writer, Executor& executor, const Clock& clock
       cores_(cores),
       limits_(limits) {}
 
-/// Processes come before the database: also on a full disk a run can be stopped.
+/// Handles the processes before it writes to the database, so that a run can be stopped even if the disk is
+/// full.
 void Scheduler::tick() {
   std::exception_ptr error = for_each_run([this](Run& run) { supervise(run.supervision); });
   writer_.expect_sound();
@@ -71,10 +72,11 @@ bool Scheduler::has_run(const Claim& claim) const {
                      [&](const Run& run) { return run.supervision.claim().token == claim.token; });
 }
 
-/// Starts a run of the next case; false if there is none or no room for it. A directory that holds a result
-/// already is recorded instead: the database lost that record, as a backup was put in its place or a power
-/// failure took its last commit. An error of the environment (a full disk, no process to be had) puts the
-/// case back into the queue.
+/// Starts a run of the next case; false if no case can be started or the disk is almost full. If the run
+/// directory already holds a result, that is recorded and no process is started: the database lost the
+/// record, because it was replaced by a backup or because a power failure undid its last commit. If the
+/// environment prevents the start (a full disk, no process can be created), the case goes back into the
+/// queue.
 bool Scheduler::start_next() {
   if (!free_space_.shortage().empty()) return false;
   std::optional<Claim> claim = writer_.queue.claim();

@@ -15,7 +15,7 @@ namespace capstan {
 /// Used by the thread of the loop alone.
 class Scheduler {
  public:
-  /// \param cores  runs side by side
+  /// \param cores  max number of runs at the same time
   Scheduler(QueueWriter& writer, Executor& executor, const Clock& clock, const DataDirectory& data,
             const FreeSpace& free_space, std::size_t cores, RunLimits limits);
 
@@ -25,7 +25,7 @@ class Scheduler {
   void tick();
   /// From now on no run is started, and those that run are asked to write a checkpoint and end.
   void drain() { draining_ = true; }
-  /// True if no process is left. Its outcome may still have to be recorded, for example on a full disk.
+  /// True if no process is left. An outcome may still have to be recorded, for example if the disk is full.
   bool has_ended() const;
   /// True if there is no run, not even one that has still to be recorded.
   bool is_idle() const { return runs_.empty(); }

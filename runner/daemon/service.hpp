@@ -1,14 +1,14 @@
 #pragma once
 // The daemon without its HTTP server: takes studies from clients, and has their cases computed.
 //
-// Its state is in the database and in the run directories alone: after a kill at any moment the next daemon
-// goes on.
+// Its whole state is in the database and in the run directories. So the next daemon can continue after a kill
+// at any moment.
 //
-// Threads: one thread, that of the loop, calls tick, drain, has_ended and is_idle. All else may be called
-// from any thread, above all by those that answer HTTP requests. Locks: the queue and its database are used
-// by one thread at a time, which holds QueueWriter::mutex: the loop during a tick, a client during a change.
-// Queries use connections of their own (Readers) and wait for nobody. Submissions has two more mutexes; it
-// says in which order they are locked.
+// Threads: one thread, that of the loop, calls tick, drain, has_ended and is_idle. All other functions may be
+// called from any thread; most calls come from those that answer HTTP requests. Locks: the queue and its
+// database are used by one thread at a time, which holds QueueWriter::mutex: the loop during a tick, a client
+// during a change. Queries use connections of their own (Readers) and wait for nobody. Submissions has two
+// more mutexes; submissions.hpp states the order of locking.
 #include <functional>
 #include <optional>
 #include <string>
@@ -27,7 +27,7 @@ namespace capstan {
 class Service {
  public:
   /// Takes over from an earlier daemon (take_over.hpp).
-  /// \param cores  runs side by side
+  /// \param cores  max number of runs at the same time
   /// \param lease  a run that uses no processor time for so long is killed
   Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores, RunLimits limits = {},
           std::chrono::milliseconds lease = JobQueue::kLease);
@@ -36,9 +36,9 @@ class Service {
 
   Readers::Reader reader() { return readers_.take(); }
   /// Returns once the study is safe on the disk.
-  /// \param key  of an Idempotency-Key, or ""; throws KeyReused if it came with another study before
+  /// \param key  the Idempotency-Key, or "". Throws KeyReused if the key was sent with another study before.
   Submission submit(const Study& study, const std::string& key = "");
-  // The number of cases that are concerned; nothing if there is no such study.
+  // The following return the number of cases concerned; nothing if there is no such study.
   std::optional<int> cancel(const std::string& study_id);
   std::optional<int> set_priority(const std::string& study_id, int priority);
   std::optional<int> pause(const std::string& study_id, bool is_paused);
@@ -62,7 +62,7 @@ class Service {
 
   // Before the service is used:
 
-  /// No run is started while less is free on the disk of the run directories.
+  /// No run is started while the disk of the run directories has less free space than this.
   void keep_free(std::uintmax_t bytes) { free_space_.set_min_free(bytes); }
   /// \param callback  called after each change of the queue by a client, from the client's thread
   void on_change(std::function<void()> callback) { changed_ = std::move(callback); }

@@ -63,8 +63,8 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
-/// One thread a run: the cores are shared by runs side by side. The daemon's token is left out, as the
-/// environment of a process can be read in /proc.
+/// A worker uses one thread, because the cores are shared by simultaneous runs. The daemon's token is left
+/// out, as the environment of a process can be read in /proc.
 std::vector<std::string> worker_environment() {
   std::vector<std::string> environment;
   for (char** entry = environ; *entry; ++entry) {

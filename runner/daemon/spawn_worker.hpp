@@ -10,7 +10,7 @@ namespace capstan {
 
 /// Starts PROGRAM solve CASE.json --out DIR as schema/run_directory.md describes it. Returns its process id.
 /// Throws std::system_error if that cannot be done.
-/// \param lock  descriptor of the taken lock of the directory, which is passed on
+/// \param lock  descriptor of the directory's lock, which the daemon holds; the worker inherits it
 pid_t spawn_worker(const std::filesystem::path& program, const RunDirectory& directory, int lock);
 
 }  // namespace capstan

@@ -21,7 +21,8 @@ Submission Submissions::submit(const Study& study, const std::string& key) {
   return request.submission;
 }
 
-/// The longest waiting ones, of large studies only a few: the loop waits for the writer's mutex meanwhile.
+/// Takes the oldest requests from the queue. Their number of cases is limited, because the loop waits for the
+/// writer's mutex while they are committed.
 std::deque<Submissions::Request*> Submissions::take_waiting() {
   constexpr std::size_t kMaxCasesAtOnce = 5000;
   std::deque<Request*> taken;

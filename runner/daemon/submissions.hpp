@@ -18,7 +18,7 @@ class Submissions {
   Submissions(QueueWriter& writer, const Clock& clock) : writer_(writer), clock_(clock) {}
 
   /// Returns once the study is safe on the disk. From any thread, not holding the writer's mutex.
-  /// \param key  of an Idempotency-Key, or ""; throws KeyReused if it came with another study before
+  /// \param key  the Idempotency-Key, or "". Throws KeyReused if the key was sent with another study before.
   Submission submit(const Study& study, const std::string& key);
 
  private:

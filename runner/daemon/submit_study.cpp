@@ -11,8 +11,8 @@
 namespace capstan {
 namespace {
 
-/// The name in small letters and the first digits of the hash, at least four, until the id is unique:
-/// "fig16a-3f9c".
+/// The name in lower case and the first digits of the hash: at least four, and as many as make the id unique,
+/// such as "fig16a-3f9c".
 std::string new_study_id(Database& database, const Study& study, const std::string& hash) {
   const std::string name = in_small_letters(study.name);
   for (std::size_t digits = 4;; ++digits) {

@@ -23,8 +23,8 @@ class KeyReused : public std::invalid_argument {
 
 /// Stores the study and queues its cases; a case that another study contains is shared with it. A study that
 /// is known is not stored again: its cancelled cases are queued again, and if it was paused it is resumed.
-/// \param key  Idempotency-Key of the request, or "": a repeated request does not resume the study. Throws
-///             KeyReused if another study came with this key before.
+/// \param key  Idempotency-Key of the request, or "". A request that is repeated with its key does not resume
+///             the study. Throws KeyReused if the key was sent with another study before.
 Submission submit_study(Database& database, const Clock& clock, const Study& study,
                         const std::string& key = "");
 

@@ -8,8 +8,8 @@
 namespace capstan {
 
 /// Kills the runs of an earlier daemon; those that are complete are recorded, the others are queued again.
-/// Then brings cases of an earlier program to the present form, and removes run directories that belong to no
-/// case and hold nothing of worth.
+/// Then converts cases and studies that an earlier program stored to the present form, and removes run
+/// directories that belong to no case and hold neither a result nor a checkpoint.
 void take_over(QueueWriter& writer, Executor& executor, const DataDirectory& data);
 
 }  // namespace capstan

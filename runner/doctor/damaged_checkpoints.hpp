@@ -14,8 +14,9 @@ struct DamagedCheckpoint {
   std::filesystem::path resumes_from = {};  ///< the other checkpoint, if it is usable; else empty
 };
 
-/// Reads the whole checkpoints of queued, failed and cancelled cases; a user may ask for the latter two
-/// again. Those of running cases are left alone, as their runs replace them.
+/// Reads all checkpoints of queued, failed and cancelled cases completely. A user may have failed and
+/// cancelled cases queued again. The checkpoints of running cases are not read, because their runs replace
+/// them.
 /// \param runs  the directory of the run directories
 std::vector<DamagedCheckpoint> damaged_checkpoints(const std::filesystem::path& runs, Database& database);
 

@@ -16,7 +16,7 @@ std::vector<std::string> damage_by(Database& database, const std::string& pragma
   return damage;
 }
 
-/// Of all tables but the largest one.
+/// A quick check of all tables except `histories`, the largest one.
 std::vector<std::string> quick_damage_without_histories(Database& database) {
   for (const std::string& table : first_column(
            database.query("SELECT name FROM sqlite_schema WHERE type = 'table' AND name <> 'histories'")))
@@ -24,8 +24,8 @@ std::vector<std::string> quick_damage_without_histories(Database& database) {
   return {};
 }
 
-/// The quick check takes 2 s for 500 MB. It does not notice a page of histories in the place of another one;
-/// the integrity check, which also compares indices with their tables, does.
+/// The quick check takes 2 s for 500 MB. It does not notice that a page of `histories` was overwritten by
+/// another one. The integrity check does, because it also compares indices with their tables.
 std::vector<std::string> damage_at_start(Database& database, std::uintmax_t bytes) {
   constexpr std::uintmax_t kMaxThorough = 200'000'000;
   constexpr std::uintmax_t kMaxWhole = 4'000'000'000;

@@ -48,7 +48,7 @@ class Doctor {
         report("less than " + std::to_string(kMinFree / 1'000'000) + " MB are free in " + place.string());
   }
 
-  /// False if the database is damaged: then its rows are not checked. Building the indices anew repairs some
+  /// False if the database is damaged: then its rows are not checked. Rebuilding the indices repairs some
   /// damage.
   bool check_pages() {
     const std::vector<std::string> damage = damage_of(database_);
@@ -70,8 +70,8 @@ class Doctor {
       });
   }
 
-  /// Without a usable checkpoint the next run starts anew, and would replace the damaged file first: removing
-  /// that loses nothing.
+  /// If a case has no usable checkpoint, its next run starts anew and replaces the damaged file first. So
+  /// nothing is lost if the file is removed.
   void check_checkpoints() {
     for (const DamagedCheckpoint& checkpoint : damaged_checkpoints(runs_, database_)) {
       const std::string what = checkpoint.path.string() + " " + checkpoint.reason + ": the case ";

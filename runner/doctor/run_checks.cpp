@@ -17,7 +17,7 @@ std::optional<ordered_json> readable_result(const RunDirectory& directory) try {
   return std::nullopt;
 }
 
-/// Answers come from the database, so a result file that differs from it is written again.
+/// The server answers from the database, so a result file that differs from it is written again.
 void check_results(const std::filesystem::path& runs, Database& database, const ReportFinding& report) {
   Statement row = database.query("SELECT case_id, document FROM results");
   while (row.step()) {
@@ -34,8 +34,8 @@ void check_results(const std::filesystem::path& runs, Database& database, const 
   }
 }
 
-/// The history of a case that has ended. What is missing in the database comes from the file, and the other
-/// way round.
+/// Compares the history of an ended case in the database with that in its file. Records that are missing in
+/// one of them are copied from the other.
 void check_history(const RunDirectory& directory, const std::string& case_id, Database& database,
                    const ReportFinding& report) {
   const HistoryFile file = read_history(directory.history_file());

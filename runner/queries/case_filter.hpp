@@ -9,8 +9,8 @@
 namespace capstan {
 
 /// Conditions that a point must all meet: {"motion", "tumbling"}, {"state", "done"}, or a parameter and its
-/// value. On an axis the value asked for counts; for another parameter the value of the case, or the word of
-/// the study's base (fluid=auto).
+/// value. For an axis the value asked for at the point is compared. For another parameter the value of the
+/// case is compared, or the word in the study's base (fluid=auto).
 using CaseFilter = std::vector<std::pair<std::string, std::string>>;
 
 /// The word that the filter asks for under a key, or "".
@@ -30,7 +30,7 @@ class ParameterFilter {
   struct Condition {
     std::string key, text;
     bool is_axis = false;
-    std::optional<nlohmann::json> value;  ///< on an axis: its value that `text` stands for, if there is one
+    std::optional<nlohmann::json> value;  ///< if this is an axis: its value that `text` stands for, if any
   };
 
   std::vector<Condition> conditions_;

@@ -43,8 +43,8 @@ ordered_json keys_without_effect(const json& asked, const ordered_json& paramete
   return keys;
 }
 
-/// Choices that the solver made for the values asked for. A case of an older version may differ from today's
-/// choices: these are left out.
+/// The choices that the solver makes today for the values asked for. A choice is left out if the case, stored
+/// by an older version, has another value.
 ordered_json choices_at(json asked, const ordered_json& parameters) {
   drop_keys_without_effect(asked);
   Choices choices = parse_case(asked).choices;

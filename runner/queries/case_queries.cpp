@@ -11,7 +11,8 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-/// CROSS JOIN keeps this order of the tables: the query follows the study and reads no more than one page.
+/// CROSS JOIN makes SQLite read the tables in this order: it goes through the points of the study and stops
+/// at the end of the page.
 constexpr const char* kFilteredPoints =
     " FROM study_cases s CROSS JOIN cases c ON c.id = s.case_id LEFT JOIN results r ON r.case_id = c.id"
     " WHERE s.study_id = ? AND s.position > ? AND c.state = ifnull(nullif(?, ''), c.state)"

@@ -20,7 +20,7 @@ PhaseAxis sorted_axis(PhaseAxis axis) {
   return axis;
 }
 
-/// "0, 0.005, 0.015"; of more than kMaxNamed values the first ones and the number of all.
+/// "0, 0.005, 0.015"; for more than kMaxNamed values, the first ones and the number of values.
 std::string values_in_words(const std::vector<json>& values) {
   constexpr std::size_t kMaxNamed = 20;
   std::string words;

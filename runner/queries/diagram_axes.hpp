@@ -1,5 +1,5 @@
 #pragma once
-// The axes of a phase diagram: two are drawn, the others stand at one value.
+// The axes of a phase diagram: two are drawn, each of the others is fixed at one value.
 #include <nlohmann/json.hpp>
 
 #include "runner/queries/phase_diagram.hpp"

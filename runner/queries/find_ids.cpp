@@ -6,7 +6,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kAfterAll = "~";  // after all characters of ids
+constexpr const char* kAfterAll = "~";  // sorts after all characters of ids
 
 ordered_json texts(Statement row) {
   ordered_json all = ordered_json::array();

@@ -32,7 +32,7 @@ bool stands_at(const PointMotion& point, const std::map<std::string, json>& at) 
   });
 }
 
-/// Combines the words of two points: "mixed" if they differ; "" is ignored.
+/// Combines the motions or the states of two points: "mixed" if they differ; "" is ignored.
 void merge(std::string& all, const std::string& one) {
   if (all.empty())
     all = one;

@@ -24,7 +24,7 @@ struct PhaseCell {
 
 struct PhaseDiagram {
   PhaseAxis x;
-  PhaseAxis y;                               ///< of a study with one axis: no parameter, one value, null
+  PhaseAxis y;  ///< for a study with one axis: no parameter, and null as its only value
   std::map<std::string, nlohmann::json> at;  ///< values of the other axes
   std::vector<std::vector<PhaseCell>> rows;  ///< one row for each y value, one cell for each x value
 };

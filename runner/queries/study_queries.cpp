@@ -20,7 +20,8 @@ constexpr const char* kColumns =
     " FROM studies s JOIN schedule USING (number) ";
 constexpr int kNumber = 9;
 
-/// Number and summed cost (estimated seconds of one core) of the cases that a word of the tallies stands for.
+/// One row of the table `tallies`: number and summed cost (estimated seconds of one core) of the cases in a
+/// state, or the number of points.
 struct Tally {
   std::int64_t count = 0;
   double cost = 0;

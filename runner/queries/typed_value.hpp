@@ -8,7 +8,7 @@
 
 namespace capstan {
 
-/// The number if the whole text is one.
+/// The text as a number; nothing if it is no number, or if other characters follow the number.
 template <class Number>
 std::optional<Number> number_in(const std::string& text) {
   Number number = 0;

@@ -148,7 +148,7 @@ void JobQueue::requeue(const Claim& claim, const std::string& reason) {
       reason, claim.case_id);
 }
 
-/// The crash number kMaxCrashes fails the case instead.
+/// After kMaxCrashes crashes the case becomes failed instead.
 void JobQueue::requeue_after_crash(const Claim& claim, const std::string& reason) {
   database_.execute(
       "UPDATE cases SET crashes = crashes + 1, message = ?1, cancel_requested = 0, not_before = ?4,"

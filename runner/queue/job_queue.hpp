@@ -36,7 +36,7 @@ struct Claim {
   std::string document;  ///< case.json
   std::string token;
   int attempt = 0;
-  std::string handle;  ///< the executor's name of the run, once it has started
+  std::string handle;  ///< the executor's name for the run, once it has started
 };
 
 class JobQueue {
@@ -54,8 +54,8 @@ class JobQueue {
   std::chrono::milliseconds heartbeat() const { return lease_ / kHeartbeats; }
 
   // The following return a number of cases; nothing if there is no such study.
-  /// Cancels the queued cases that no other study wants and requests it for the running ones. Returns the
-  /// number of both.
+  /// Cancels the queued cases that no other study wants, and requests the cancellation of the running ones.
+  /// Returns the number of both.
   std::optional<int> cancel(const std::string& study_id);
   /// Studies of higher priority are served first; the default is 0. Returns the number of queued cases.
   std::optional<int> set_priority(const std::string& study_id, int priority);
@@ -68,18 +68,18 @@ class JobQueue {
   /// study, the first waiting point. Nothing if no case can be started.
   std::optional<Claim> claim();
 
-  /// Stores the executor's name of the run.
+  /// Stores the executor's name for the run.
   void started(const Claim& claim, const std::string& handle);
 
   // The following return false if the token is no longer valid: then nothing is recorded, and the run must be
   // stopped.
-  /// Undoes a claim whose run could not be started, which is no attempt. The case waits for kBackOff, so that
-  /// others are started meanwhile.
+  /// Undoes a claim whose run could not be started. This does not count as an attempt. The case waits for
+  /// kBackOff, so that others are started meanwhile.
   bool put_back(const Claim& claim, const std::string& reason);
   /// Heartbeat: extends the lease.
   bool renew(const Claim& claim);
-  /// Ends the attempt. The case becomes done, failed or diverged. After an interruption it is queued again,
-  /// after a crash too, until the crash number kMaxCrashes fails it.
+  /// Ends the attempt. The case becomes done, failed or diverged. After an interruption or a crash it is
+  /// queued again; after kMaxCrashes crashes it becomes failed.
   bool end(const Claim& claim, RunEnding ending, const std::string& reason);
 
   /// True if the cancellation of the running case was requested.
@@ -89,8 +89,8 @@ class JobQueue {
   std::vector<Claim> running();
 
   /// Queues the cases whose lease has expired. Returns their number.
-  /// \param is_held  tells whether the caller still supervises the run: its lease, which expired because the
-  ///                 clock was set forward, is renewed instead
+  /// \param is_held  returns true for a run that the caller still supervises. Its lease has expired because
+  ///                 the clock was set forward: it is renewed instead
   int give_back_expired(const std::function<bool(const Claim&)>& is_held = [](const Claim&) {
     return false;
   });

@@ -28,10 +28,10 @@ class HistoryTail {
 /// The history.jsonl of a run that has ended.
 struct HistoryFile {
   History records;          ///< up to the first line that is not a record
-  std::string damage = {};  ///< why `records` is not the whole file: "is missing", ..; empty if it is
+  std::string damage = {};  ///< why `records` is incomplete, such as "is missing"; empty if it is complete
 };
 
-/// Throws std::filesystem::filesystem_error where the file can be read later (is_shortage).
+/// Throws std::filesystem::filesystem_error if the file cannot be read now but perhaps later (is_shortage).
 HistoryFile read_history(const std::filesystem::path& file);
 
 /// The text of a history.jsonl. Observables that a record lacks are left out.

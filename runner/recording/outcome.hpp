@@ -12,7 +12,7 @@ namespace capstan {
 
 struct RunOutcome {
   RunEnding ending;
-  std::string message;                                ///< reason of the ending, where there is one to give
+  std::string message;                                ///< reason of the ending; may be empty
   std::optional<nlohmann::ordered_json> result = {};  ///< result.json
 };
 

@@ -39,7 +39,7 @@ void add_values(const ordered_json& object, const std::string& group, Row& row) 
     const std::string column = path_in(group, key);
     if (value.is_array())
       row[column] = list_text(value);
-    else if (value.is_object() && group == "asked")  // a fidelity as the study has it
+    else if (value.is_object() && group == "asked")  // the study's fidelity, as it was written
       row[column] = value.dump();
     else if (value.is_object())
       add_values(value, column, row);
@@ -60,12 +60,14 @@ bool is_parameter(const std::string& path) {
   });
 }
 
-/// The last part of the path. until.kt keeps its group, because kt is the time that a run has reached.
+/// The path without its first part. Paths in `until` and `outputs` keep it, because `kt` alone is the time
+/// that a run has reached.
 std::string short_name(const std::string& path) {
   return path.starts_with("until.") || path.starts_with("outputs.") ? path : path.substr(path.find('.') + 1);
 }
 
-/// Columns without a value before the end of a run. That unfinished runs lack them is no variation.
+/// Columns that have a value only after the end of a run. If only unfinished runs lack a value, the column
+/// does not count as varying.
 bool is_known_at_the_end(const std::string& path) {
   return path == "trust.numerics_version" || path == "stop";
 }

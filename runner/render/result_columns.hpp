@@ -14,7 +14,7 @@ namespace capstan {
 struct ResultColumn {
   std::string name;  ///< in the header
   std::string path;
-  double unit = 1;  ///< numbers are divided by it
+  double unit = 1;  ///< numbers are divided by this unit
 };
 
 /// Collects which columns the points of a study have and which of them vary, page by page.

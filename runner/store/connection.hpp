@@ -1,5 +1,5 @@
 #pragma once
-// A connection of SQLite that closes itself and whose errors are exceptions (database_error.hpp).
+// An SQLite connection. Its destructor closes it; its errors are exceptions (database_error.hpp).
 #include <sqlite3.h>
 
 #include <filesystem>

@@ -27,7 +27,7 @@ class DataDirectory {
   /// Makes the directory if it is missing. Both the file `lock` and the directory itself are locked, as a
   /// user may remove the file. Throws std::runtime_error if another daemon holds the lock, or if the
   /// directory is on a network file system, where SQLite's write-ahead log does not work. Only `runs` may be
-  /// there, as a symbolic link.
+  /// on such a file system, through a symbolic link.
   explicit DataDirectory(const std::filesystem::path& path);
   ~DataDirectory();
   DataDirectory(const DataDirectory&) = delete;

@@ -43,8 +43,8 @@ class Database {
   /// Runs one or more statements that return no rows.
   void execute_script(const char* sql) { capstan::execute_script(connection_.get(), sql); }
 
-  /// Throws DatabaseUnavailable where nothing can be written. Called before each write, because SQLite's
-  /// shared memory file (-shm) is mapped: on a disk that has failed, writing to it is no error but ends the
+  /// Throws DatabaseUnavailable if the disk accepts no writes. Called before each write, because SQLite maps
+  /// its shared memory file (-shm): on a disk that has failed, writing to it returns no error but kills the
   /// process (SIGBUS, seen on XFS). From any thread.
   void expect_writable() const;
   /// Throws DatabaseUnavailable if files of a writer were removed or replaced. From any thread.
@@ -54,7 +54,7 @@ class Database {
  private:
   SqliteConnection connection_;
   std::shared_ptr<IdleStatements> idle_ = std::make_shared<IdleStatements>();
-  // Of a writer only:
+  // Set for a writer only:
   std::unique_ptr<WriteProbe> probe_;
   std::unique_ptr<DatabaseFiles> files_;
 };

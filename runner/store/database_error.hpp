@@ -1,5 +1,5 @@
 #pragma once
-// Errors of the database, one class for each thing that can be done about them.
+// Errors of the database, one class for each way to deal with them.
 #include <sqlite3.h>
 
 #include <stdexcept>

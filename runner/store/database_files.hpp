@@ -1,5 +1,5 @@
 #pragma once
-// Noticing that the files of an open database were removed or replaced. A process that has them open would go
+// Detects that the files of an open database were removed or replaced. A process that has them open would go
 // on writing to files that no other process can open any more.
 #include <sys/types.h>
 
@@ -15,7 +15,8 @@ class DatabaseFiles {
   /// Remembers the files that are there now.
   explicit DatabaseFiles(const std::filesystem::path& database);
 
-  /// Names a file that was removed or replaced since then, and says which; "" if there is none.
+  /// Names a file that was removed or replaced since then, and says which of the two happened; "" if there is
+  /// none.
   std::string change() const;
 
  private:

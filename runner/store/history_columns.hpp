@@ -10,11 +10,11 @@ namespace capstan {
 /// Names of the observables that the database keeps, in the order of kObservables.
 const std::vector<std::string>& history_columns();
 
-/// The same for a SELECT: "kt, D_xy, ..", with NULL for a column that this database lacks. A database lacks
-/// columns as long as no writer of this version of the program has opened it.
+/// The same for a SELECT: "kt, D_xy, ..", with NULL for a column that this database lacks. Columns are
+/// missing until a writer of this version of the program has opened the database.
 std::string history_columns_in(Database& database);
 
-/// Adds the columns that the database lacks. In the records that it has they are NULL.
+/// Adds the columns that the database lacks. They are NULL in the records that exist already.
 void add_history_columns(Database& database);
 
 }  // namespace capstan

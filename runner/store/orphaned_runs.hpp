@@ -1,6 +1,6 @@
 #pragma once
-// Run directories that belong to no case of the database: a backup was put in its place that is older than
-// they are.
+// Run directories that belong to no case of the database. There are some after the database was replaced by a
+// backup that is older than they are.
 #include <vector>
 
 #include "runner/store/database.hpp"

@@ -23,8 +23,8 @@ class Readers {
   /// A read transaction: a consistent snapshot, taken at the first query. For one thread at a time.
   using Reader = std::unique_ptr<Database, GiveBack>;
 
-  /// Connections that are kept open while nobody uses them. Each has two descriptors; queries are short, so
-  /// few serve many clients.
+  /// Max number of unused connections that stay open. Each has two descriptors; queries are short, so few
+  /// connections serve many clients.
   static constexpr std::size_t kMaxIdle = 2;
 
   /// Never waits for another reader: if none is idle, a connection is opened.

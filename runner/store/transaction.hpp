@@ -9,8 +9,8 @@ class Database;
 /// failure it is rebuilt from the run directories.
 enum class Survives { kill, power_failure };
 
-/// Undone at its end unless it was committed. Inside another transaction it is a part of that one: it is
-/// committed and undone together with it.
+/// The destructor undoes the changes unless commit() was called. A transaction inside another one is a part
+/// of that one: both are committed or undone together.
 class Transaction {
  public:
   explicit Transaction(Database& database, Survives survives = Survives::power_failure);

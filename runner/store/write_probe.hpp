@@ -1,6 +1,6 @@
 #pragma once
-// Noticing that a disk takes no writes any more. A disk that fails may become read-only at any moment, and
-// access(2) does not tell.
+// Detects that a disk accepts no writes any more. A disk that fails may become read-only at any moment, and
+// access(2) does not report it.
 #include <filesystem>
 #include <string>
 

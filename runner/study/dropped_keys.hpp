@@ -17,11 +17,13 @@ class DroppedKeys {
   /// Index of the axis, index of the value.
   using AxisValue = std::pair<std::size_t, std::size_t>;
 
-  /// Counts a point whose case is read. \param values  those of the axes that are lists
+  /// Counts a point whose case is checked for keys without effect.
+  /// \param values  those of its values that come from a list
   void count_point(const std::vector<AxisValue>& values);
 
-  /// Adds a key that was removed from that case.
-  /// \param pointer  of the key in the study   \param axis  the value of an axis that contains it, if any
+  /// Adds a key that was removed from the case of that point.
+  /// \param pointer  of the key in the study
+  /// \param axis     the axis value that contains the key, if one does
   void add(const Issue& issue, const std::string& pointer, const std::optional<AxisValue>& axis);
 
   /// The keys that have no effect at any point that has them, with pointers into the study.

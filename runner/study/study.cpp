@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Keeps the first 100 issues and counts the others: a list of all could be larger than the document.
+/// Keeps the first 100 issues and counts the others: the list of all could be larger than the document.
 void limit_number(Issues& issues) {
   constexpr std::size_t kMaxReported = 100;
   if (issues.size() <= kMaxReported) return;

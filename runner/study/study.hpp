@@ -22,7 +22,7 @@ struct Study {
   std::string description;
   std::vector<Axis> axes;           ///< in the order of axis_parameters()
   std::vector<Case> cases;          ///< each once, in the order of the points
-  std::vector<std::size_t> points;  ///< which case each point is
+  std::vector<std::size_t> points;  ///< for each point, the index of its case
   std::vector<std::string> notes;   ///< sentences on what the author may not expect (study_notes.hpp)
   nlohmann::json document;          ///< as it was given, in one spelling: no -0.0, and 4 for 4.0
 

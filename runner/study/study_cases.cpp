@@ -12,13 +12,13 @@ namespace {
 
 using nlohmann::json;
 
-/// Without an exponent.
+/// A whole number without an exponent.
 std::string whole(double number) {
   std::array<char, 400> text{};
   return {text.data(), std::to_chars(text.begin(), text.end(), number, std::chars_format::fixed, 0).ptr};
 }
 
-/// Its issues can be too many, or too long, to be found again at each point.
+/// True for a value whose issues could be too many, or too long, to be collected again at each point.
 bool is_large(const json& value) {
   constexpr std::size_t kMaxWord = 40;
   return value.is_structured() ||
@@ -40,7 +40,8 @@ std::optional<std::size_t> axis_of(const std::string& case_pointer, const std::v
   return std::nullopt;
 }
 
-/// The values at a point of the axes that are lists. All values of a range share one pointer.
+/// The point's values on the axes that are lists. Ranges are left out: all values of a range share one
+/// pointer.
 std::vector<DroppedKeys::AxisValue> listed_values(const std::vector<Axis>& axes, const AxisIndices& indices) {
   std::vector<DroppedKeys::AxisValue> values;
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
@@ -48,7 +49,7 @@ std::vector<DroppedKeys::AxisValue> listed_values(const std::vector<Axis>& axes,
   return values;
 }
 
-/// The value of such an axis that an issue belongs to.
+/// The value of a list that an issue belongs to; nothing if it belongs to the base or to a range.
 std::optional<DroppedKeys::AxisValue> listed_value(const Issue& issue, const std::vector<Axis>& axes,
                                                    const AxisIndices& indices) {
   const auto axis = axis_of(issue.pointer, axes);
@@ -94,7 +95,7 @@ std::optional<Case> StudyCases::read_case(const std::vector<Axis>& axes, const A
     else
       flat[parameter] = value;
   }
-  // Without all values of the point the effect of the others is unknown.
+  // If a value is left out, it is not known which of the others have an effect.
   const ParsedCase parsed = left_out.empty() ? read_with_effect(flat, axes, indices) : parse_case(flat);
   for (const Issue& issue : parsed.issues)
     if (!reported.contains(first_token(issue.pointer)) && !issue.without_effect)

@@ -23,9 +23,10 @@ class StudyCases {
 
   /// Sets cases, points and notes of a study that has its axes.
   ///
-  /// A key of the base that has an issue is removed for all later points, and so is a large value of an axis
-  /// at its points: the time then grows with the size of the document plus the number of cases, not with
-  /// their product. A small value stays, so that what depends on it is not reported as an issue of its own.
+  /// A key of the base that has an issue is removed for all later points. A large axis value that has an
+  /// issue is left out at all later points that have it. So the time grows with the size of the document plus
+  /// the number of cases, not with their product. A small value with an issue stays, because without it the
+  /// keys that depend on it would have issues, too.
   void expand(Study& study);
 
  private:

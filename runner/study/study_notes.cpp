@@ -25,7 +25,7 @@ void add_repeated_values(const Study& study, std::vector<std::string>& notes) {
   }
 }
 
-/// \param what  a noun for the sentences, for those that are only counted
+/// \param what  a noun for the sentences, used where they are counted instead of listed
 void add_counted(const Study& study, const CountedSentences& sentences, const std::string& what,
                  std::vector<std::string>& notes) {
   std::size_t named = 0;

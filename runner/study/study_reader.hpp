@@ -12,7 +12,7 @@ namespace capstan {
 /// The document without its cases.
 struct StudyParts {
   Study study;                           ///< without cases and points
-  const nlohmann::json* base = nullptr;  ///< into the document; nullptr if it has no usable base
+  const nlohmann::json* base = nullptr;  ///< points into the document; nullptr if that has no usable base
   std::set<std::string> invalid_axes;    ///< parameters whose axis has issues: the cases cannot have them
 };
 

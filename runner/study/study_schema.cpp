@@ -15,7 +15,7 @@ ordered_json property_of_case(std::string_view key) {
   return {{"$ref", "case.schema.json#/properties/" + std::string(key)}};
 }
 
-/// A list of values, or, of numbers, an evenly spaced range.
+/// The schema of an axis: a list of values or, for a parameter that is a number, an evenly spaced range.
 ordered_json axis_schema(std::string_view key) {
   ordered_json list = {{"type", "array"}, {"minItems", 1}, {"items", property_of_case(key)}};
   const Parameter* parameter = find_parameter(key);

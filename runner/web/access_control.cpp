@@ -36,8 +36,8 @@ bool is_own_host(const AccessControl& access, const std::string& authority) {
   return equal_ignoring_case(host, "localhost") || is_numeric_address(host) || is_listed(access, host);
 }
 
-/// The page comes from this server: from the host that the request names, or from one of the listed names
-/// (behind a proxy). The origin "null" is nobody's.
+/// True if the page comes from this server: from the host that the request names, or from one of the listed
+/// names (behind a proxy). The origin "null" belongs to no server.
 bool is_own_origin(const AccessControl& access, const std::string& origin, const std::string& host) {
   const auto end = origin.find("://");
   if (end == origin.npos) return false;

@@ -148,7 +148,7 @@ Connection::Steady::time_point Connection::send_deadline() const {
   return unsent_since_ + milliseconds(5000 + 1000 * unsent_.size() / kMinRate);
 }
 
-/// The client has neither closed the connection nor stopped reading.
+/// True if the client has neither closed the connection nor stopped reading.
 bool Connection::accepts_more() {
   if (!send_unsent() || (unsent() > 0 && Steady::now() > send_deadline())) return false;
   pollfd watched{socket_, POLLRDHUP, 0};

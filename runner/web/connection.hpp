@@ -29,12 +29,12 @@ class Connection {
 
   // The request:
   enum class Input { incomplete, complete, closed };
-  /// Receives what has arrived. `complete`: the request can be answered, be it with a refusal.
+  /// Receives the bytes that have arrived. `complete`: the request can be answered, possibly with a refusal.
   Input receive(const HeadCheck& check);
-  /// Frees what was received of the request; the refusal is its response.
+  /// Frees the received part of the request. The request is answered with the refusal.
   void refuse_with(Response refusal);
   const std::optional<Response>& refusal() const { return refusal_; }
-  /// As far as it was received: with the body once it is complete.
+  /// The part that was received; it includes the body once the request is complete.
   const httplib::Request& request() const { return request_; }
   bool has_begun() const { return has_head_ || !received_.empty(); }
   bool has_body() const { return !refusal_ && content_length_ > 0; }
@@ -47,13 +47,14 @@ class Connection {
   /// Sends what the client accepts now; false if the connection is broken.
   bool send_unsent();
   std::size_t unsent() const { return unsent_.size() - sent_; }
-  /// The client has until then to accept the unsent rest.
+  /// The time by which the client must have accepted the unsent rest.
   Steady::time_point send_deadline() const;
 
   // Lingering close (RFC 9112, 9.6): closing a socket with unread input resets the connection, and the client
-  // may lose the response. So the server first ends its own side and discards what the client still sends.
+  // may lose the response. So the server first shuts down its sending side, and discards what the client
+  // still sends.
   void end_sending();
-  bool has_unread_input() const;  ///< some has arrived, or may still arrive
+  bool has_unread_input() const;  ///< input has arrived, or may still arrive
   /// Discards what has arrived. False once the client has closed its side, or has sent too much.
   bool discard_input();
 
@@ -73,13 +74,13 @@ class Connection {
   const int socket_;
   const std::string peer_;
   const Steady::time_point accepted_ = Steady::now();
-  std::string received_;  ///< the head, and after has_head_ the body, as far as they have arrived
+  std::string received_;  ///< received part of the head; once has_head_ is set, of the body
   bool has_head_ = false;
   std::size_t content_length_ = 0;
   httplib::Request request_;
   std::optional<Response> refusal_;
   std::string unsent_;
-  std::size_t sent_ = 0;  ///< bytes of unsent_ that have been sent meanwhile
+  std::size_t sent_ = 0;  ///< bytes of unsent_ that have been sent
   bool is_broken_ = false;
   Steady::time_point unsent_since_;
   std::size_t discarded_bytes_ = 0;

@@ -12,8 +12,8 @@ namespace capstan {
 
 class ConnectionQueue {
  public:
-  /// At most as many requests with a body are answered at a time: a large study takes a second, and the other
-  /// threads stay free for short requests.
+  /// Max number of requests with a body that are answered at the same time: a large study takes a second, and
+  /// the other threads stay free for short requests.
   static constexpr int kMaxBodies = 6;
 
   void push(std::unique_ptr<Connection> connection) {
@@ -71,7 +71,7 @@ class ConnectionQueue {
     return waiting_.size();
   }
 
-  /// Of the requests that wait.
+  /// Memory of the waiting requests.
   std::size_t bytes() {
     const std::lock_guard lock(mutex_);
     return bytes_;

@@ -1,6 +1,6 @@
 #pragma once
-// Returns memory that responses have freed to the system (malloc_trim): the allocator would keep a share for
-// each thread. Doing so after every response would take a third of the server's time.
+// Gives the memory that responses have freed back to the system (malloc_trim); otherwise the allocator would
+// keep some for each thread. Doing so after every response would take a third of the server's time.
 #include <atomic>
 #include <chrono>
 #include <cstddef>

@@ -26,7 +26,7 @@ class HttpMetrics {
   double seconds_ = 0;
 };
 
-/// Those of this process, since it started.
+/// The metrics of this process since its start.
 HttpMetrics& http_metrics();
 
 }  // namespace capstan

@@ -48,7 +48,7 @@ class HttpServer {
   /// address is taken or does not exist.
   ListenAddress listen_at(ListenAddress address);
 
-  /// Until it is called, requests are answered that the server is starting.
+  /// Before this call, requests are answered with "the server is starting" (startup_response.hpp).
   void set_service(Service& service) { service_ = &service; }
 
   /// Serves a connection that was accepted elsewhere. Takes ownership of the socket.

@@ -24,7 +24,7 @@ class LoopMessages {
   LoopMessages(const LoopMessages&) = delete;
   LoopMessages& operator=(const LoopMessages&) = delete;
 
-  // Of other threads:
+  // Called by other threads:
   void listen(int socket);
   void adopt(int socket);
   void finish(std::unique_ptr<Connection> connection);
@@ -32,7 +32,7 @@ class LoopMessages {
   void stop_receiving();
   void end();
 
-  // Of the loop:
+  // Called by the loop:
   int wake_up_descriptor() const { return wake_up_; }  ///< readable when there are messages
   LoopRequests take();                                 ///< all that have come since the last call
   void confirm_stopped_receiving();

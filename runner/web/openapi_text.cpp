@@ -8,11 +8,11 @@
 namespace capstan {
 namespace {
 
-/// Stands in schema/openapi.yaml for the properties of a history.
+/// Placeholder in schema/openapi.yaml for the properties of a history.
 constexpr std::string_view kPlaceholder =
     "properties: {}  # one for each observable that the database keeps\n";
 
-/// A JSON string is a YAML string.
+/// Strings are written as in JSON, which is valid YAML.
 std::string property_of(const Observable& observable) {
   const std::string meaning = std::string(observable.description) + ", unit " + std::string(observable.unit);
   return std::string(observable.name) +

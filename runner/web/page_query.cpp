@@ -24,7 +24,7 @@ std::string name_of_list(const std::string& path, const CaseFilter& filter) {
   return sha256_hex(name).substr(0, kListDigits);
 }
 
-/// The list, then the position in it.
+/// A cursor consists of the name of the list and a position in it.
 std::string cursor(const std::string& list, std::int64_t position) {
   std::array<char, 20> digits{};
   const auto end = std::to_chars(digits.begin(), digits.end(), position, 16).ptr;

@@ -51,7 +51,7 @@ std::string issue_of_state(const std::string& value) { return issue_unless_word_
 
 std::string issue_of_motion(const std::string& value) { return issue_unless_word_of(kMotions, value); }
 
-/// A value of a parameter of a case, as text.
+/// What is wrong with the text as a value of a parameter of a case; "" if nothing.
 std::string issue_of_parameter(const Parameter& parameter, const std::string& value) {
   const std::vector<std::string> texts = parameter.value->words();
   const std::vector<std::string_view> words(texts.begin(), texts.end());

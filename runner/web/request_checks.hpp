@@ -11,8 +11,8 @@
 
 namespace capstan {
 
-/// Issues for parameters that are unknown, stand twice, have no value or an invalid one. `pointer` is the
-/// name of the parameter.
+/// Issues for parameters that are unknown, given twice, empty or invalid. `pointer` is the name of the
+/// parameter.
 Issues check_query(std::span<const QueryParameter> known, const httplib::Params& query);
 
 /// Issues of a body that is neither empty nor a JSON object with no other keys than these.

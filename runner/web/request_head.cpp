@@ -29,7 +29,7 @@ bool is_visible(string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c > 0x20 && c < 0x7f; });
 }
 
-/// They could hide a request in another one, or forge a line of a log.
+/// Control characters could hide a request in another one, or forge a line of a log.
 bool has_control_characters(string_view text) {
   return std::any_of(text.begin(), text.end(),
                      [](unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7f; });
@@ -98,7 +98,7 @@ Refusal parse_field(string_view line, Request& request) {
   return std::nullopt;
 }
 
-/// Parsers differ in which of two equal fields they use.
+/// Refuses a head in which one of these fields is given twice: parsers differ in which of the two they use.
 Refusal refuse_duplicates(const Request& request) {
   for (const char* name : {"Content-Length", "Transfer-Encoding", "Host", "Authorization", "Origin",
                            "Content-Type", "Idempotency-Key", "If-None-Match", "Last-Event-ID", "Expect"})

@@ -25,8 +25,8 @@ struct ParsedHead {
 /// \param text  the head, up to and with the empty line
 ParsedHead parse_head(std::string_view text);
 
-/// Bytes of the body of a request whose head was accepted; the largest number for a length that no type
-/// holds.
+/// Length of the body in bytes, for a request whose head was accepted. The largest std::size_t if the length
+/// exceeds every integer type.
 std::size_t content_length(const httplib::Request& request);
 
 }  // namespace capstan

@@ -16,8 +16,8 @@ struct Response {
   std::string content_type;
   std::string body;
   std::map<std::string, std::string> headers;
-  /// Of a streamed response, instead of `body`: the next part of the body, which may be empty, or nothing at
-  /// the end of the stream. Blocks for a fraction of a second at most.
+  /// For a streamed response, used instead of `body`: returns the next part of the body, which may be empty,
+  /// or nothing at the end of the stream. Blocks for a fraction of a second at most.
   std::function<std::optional<std::string>()> next = {};
 };
 

@@ -154,8 +154,8 @@ void SocketLoop::start_finishing(std::unique_ptr<Connection> connection) {
   watched_.add(std::move(connection), Phase::lingering, Steady::now() + kLingerTime);
 }
 
-/// Closes connections whose deadline has passed. If too much memory is held, closes those of slow readers
-/// until it is not.
+/// Closes connections whose deadline has passed. If too much memory is held, closes connections of slow
+/// readers until enough is free.
 void SocketLoop::close_expired() {
   const auto now = Steady::now();
   for (Iterator next = watched_.begin(); next != watched_.end();) {

@@ -17,15 +17,15 @@ namespace capstan {
 
 class SocketLoop {
  public:
-  /// From accepting a connection; a request that is still incomplete is refused.
+  /// Time limit from accepting a connection to a complete request. Later an incomplete request is refused.
   static constexpr std::chrono::seconds kMaxReceiveTime{5};
-  /// With more, the client with the most connections loses the oldest one whose request is incomplete.
+  /// Beyond it, the client with the most connections loses its oldest one whose request is incomplete.
   static constexpr std::size_t kMaxConnections = 1024;
   static constexpr std::size_t kMaxBytes = 64 << 20;  ///< of all requests and responses held in memory
 
   /// \param ready  receives the connections whose request is complete, or is to be refused
   SocketLoop(ConnectionQueue& ready, Connection::HeadCheck check);
-  /// Clients have a second to read their responses.
+  /// Gives clients one second to read their responses.
   ~SocketLoop();
   SocketLoop(const SocketLoop&) = delete;
   SocketLoop& operator=(const SocketLoop&) = delete;
@@ -70,7 +70,7 @@ class SocketLoop {
   LoopMessages messages_;
   int listening_ = -1;
   WatchedConnections watched_{epoll_};
-  Steady::time_point end_ = Steady::time_point::max();  ///< the loop runs no longer than this
+  Steady::time_point end_ = Steady::time_point::max();  ///< the loop ends at this time at the latest
   std::thread thread_;
 };
 

@@ -8,12 +8,12 @@
 
 namespace capstan {
 
-/// Each event carries the whole study, and the id of an event is a digest of that. A client that reconnects
-/// with the last id it has seen is sent the present state unless it has that already, also by a restarted
-/// server.
+/// Each event carries the whole study, and the id of the event is a digest of it. A client that reconnects
+/// names the last id that it has seen; it is sent the present study only if that has another digest. This
+/// works also after a restart of the server.
 class StudyEvents {
  public:
-  /// A stream ends then, and the client reconnects: so another client can have the thread.
+  /// Max duration of a stream. The client then reconnects; meanwhile another client can have the thread.
   static constexpr std::chrono::seconds kMax{60};
 
   StudyEvents(std::string study_id, std::string last_event_id, Time begin)
@@ -21,7 +21,7 @@ class StudyEvents {
 
   /// The next part of the stream, empty if the study has not changed; nothing after the end of the stream.
   std::optional<std::string> next(Database& database, Time now);
-  /// next() has returned the last part.
+  /// True once next() has returned the last part.
   bool is_over() const { return is_over_; }
 
  private:

@@ -58,8 +58,8 @@ std::optional<int> replaceable_cases(Service& service, const std::string& id) {
 
 }  // namespace
 
-/// 201 for a new study, 200 for a known one, 422 for one with issues, of which nothing is queued. `resumed`:
-/// the study was paused until now.
+/// 201 for a new study, 200 for a known one, 422 for one with issues, which is not stored. `resumed`: the
+/// study was paused until now.
 Response post_study(Service& service, const httplib::Request& request, const std::string&) {
   constexpr std::size_t kMaxKey = 200;
   const std::string key = request.get_header_value("Idempotency-Key");

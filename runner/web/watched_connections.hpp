@@ -33,7 +33,7 @@ class WatchedConnections {
   Iterator begin() { return by_descriptor_.begin(); }
   Iterator end() { return by_descriptor_.end(); }
   std::size_t size() const { return by_descriptor_.size(); }
-  /// Of all requests and responses, as far as they are held in memory.
+  /// Bytes of all requests and responses that are held in memory.
   std::size_t bytes() const { return bytes_; }
 
   /// Whom to evict: of the client with the most connections in that phase, the oldest one; end() if there is

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSpan = 3;  // seconds of measurement for each number
 
-/// Of this process since its start.
+/// Peak memory of this process since its start.
 double peak_memory_mb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

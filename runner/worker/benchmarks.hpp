@@ -5,9 +5,10 @@ namespace capstan {
 
 class BenchReport;
 
-/// Lattice updates a second of the standard method with 19 populations and with four moments, and of the
-/// quasisteady model's sweeps; in single and double precision, in and out of the caches, on one core and on
-/// all that OpenMP has. Each with the share of the memory bandwidth that is measured beside it.
+/// Lattice updates per second of the standard method with 19 populations and with four moments, and of the
+/// sweeps of the quasisteady model: in single and double precision, on grids that fit into the caches and on
+/// one that does not, on one core and on all that OpenMP uses. Each with its share of the memory bandwidth,
+/// which is measured, too.
 void bench_kernel(BenchReport& report);
 
 /// Time and contraction factor of a multigrid cycle at the paper's resolution, on a uniform grid, on the

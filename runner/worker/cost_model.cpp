@@ -33,7 +33,7 @@ double distance(const Case& a, const Case& b) {
   return std::hypot(std::log(a.Ca / b.Ca), std::log(a.V / b.V));
 }
 
-/// As many cases of a kind as there is time for, spread evenly.
+/// Measures as many cases of a kind as there is time for, evenly spread over the list.
 std::vector<Measurement> measure(const std::vector<const Case*>& kind, std::size_t kinds,
                                  const CaseTimer& time) {
   const std::size_t count = std::min(kind.size(), std::max<std::size_t>(1, kMaxMeasurements / kinds));

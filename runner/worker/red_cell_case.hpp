@@ -4,7 +4,9 @@
 namespace capstan {
 
 /// The paper's red blood cell (biconcave, Skalak's law with C = 5, E_b = 0.015, V = 4) in the quasisteady
-/// model. \param dx     lattice spacing \param nodes  number of the membrane's nodes: 162, 642, 2562 or 10242
+/// model.
+/// \param dx     lattice spacing
+/// \param nodes  number of the membrane's nodes: 162, 642, 2562 or 10242
 /// \param kdt    time step, in units of the inverse shear rate
 /// \param kt     end of the run
 Case red_cell_case(double Ca, double dx, int nodes, double kdt, double kt);

@@ -29,7 +29,7 @@ void use_one_core_by_default() {
 /// Writes the run directory, and prints the progress.
 class ReportingRecorder : public RunRecorder {
  public:
-  /// \param end_seconds  of steady_seconds(): then the run is interrupted
+  /// \param end_seconds  value of steady_seconds() at which the run is interrupted
   ReportingRecorder(const std::filesystem::path& out, const Case& c, const Choices& choices,
                     double end_seconds)
       : RunRecorder(out, c, choices,
@@ -65,7 +65,8 @@ void print_choices_and_warnings(const ParsedCase& parsed) {
 }
 
 void print_outcome(const Outcome& outcome, const Verdict& verdict) {
-  const bool on_terminal = isatty(STDERR_FILENO);  // then the line of the progress has no end yet
+  const bool on_terminal =
+      isatty(STDERR_FILENO);  // then the line that shows the progress still lacks its line end
   std::cerr << (on_terminal ? "\n" : "") << to_string(outcome.stop)
             << (outcome.message.empty() ? "" : ": " + outcome.message) << "\n";
   if (has_answer(outcome.stop)) std::cerr << to_string(verdict.motion) << ": " << verdict.explanation << "\n";

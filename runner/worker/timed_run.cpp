@@ -28,7 +28,7 @@ class TimedOutput : public RunOutput {
   void shape(double, int, const Points&, const Points&, const Points&) override {}
   void checkpoint(StateArchive) override {}
   bool is_checkpoint_due(long) override { return false; }
-  /// The simulation asks after each step.
+  /// Called by the simulation after each step.
   bool interrupted() const override {
     if (++steps_ == 1) first_step_end_ = seconds_since(start_);
     return steps_ > 1 && seconds_since(start_) > max_seconds_;

@@ -99,7 +99,7 @@ CREATE TRIGGER motion_is_forgotten AFTER DELETE ON results WHEN OLD.motion IS NO
     WHERE study_id IN (SELECT study_id FROM study_cases WHERE case_id = OLD.case_id);
 END;
 
--- POST /v1/studies with an Idempotency-Key: the document that came with the key.
+-- POST /v1/studies with an Idempotency-Key: the hash of the study that was sent with the key.
 CREATE TABLE idempotency_keys (
   key           TEXT PRIMARY KEY,
   document_hash TEXT NOT NULL,

@@ -1,6 +1,6 @@
 -- Format 3: a case of a study can be replaced by another: at a finer fidelity, or of a later numerics version.
 
-ALTER TABLE study_cases ADD COLUMN replaces TEXT;   -- the case of this position before
+ALTER TABLE study_cases ADD COLUMN replaces TEXT;   -- the case that was at this position before
 
 ALTER TABLE cases ADD COLUMN numerics INTEGER NOT NULL DEFAULT 1;   -- numerics version of the solver, part of the id
 

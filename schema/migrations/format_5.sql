@@ -93,8 +93,8 @@ UPDATE results SET motion = NULL
 -- Cases by state and attempts by ending over all studies, for monitoring. Counting a million rows for each request
 -- would take a third of a second. Attempts of deleted cases stay counted.
 CREATE TABLE totals (
-  what  TEXT NOT NULL,   -- cases, attempts
-  name  TEXT NOT NULL,   -- the state, the ending
+  what  TEXT NOT NULL,   -- 'cases' or 'attempts'
+  name  TEXT NOT NULL,   -- a state of cases, or an ending of attempts
   count INTEGER NOT NULL,
   PRIMARY KEY (what, name)
 ) WITHOUT ROWID;

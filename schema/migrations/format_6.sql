@@ -16,7 +16,7 @@ CREATE TABLE schedule (
   priority  INTEGER NOT NULL DEFAULT 0,   -- the higher, the sooner
   is_paused INTEGER NOT NULL DEFAULT 0,
   served    INTEGER NOT NULL DEFAULT 0,   -- grows with every claim: studies of one priority take turns
-  waiting   INTEGER NOT NULL DEFAULT 0    -- number of its rows in the table of that name
+  waiting   INTEGER NOT NULL DEFAULT 0    -- number of the study's rows in the table `waiting`
 );
 CREATE INDEX turns ON schedule (priority DESC, served) WHERE waiting > 0 AND is_paused = 0;
 CREATE INDEX schedule_by_served ON schedule (served);
@@ -63,7 +63,7 @@ CREATE TABLE tallies (
   PRIMARY KEY (study_id, word)
 ) WITHOUT ROWID;
 
--- What the tallies must be, counted from the cases: schema/recount.sql and `capstan doctor`.
+-- The values that `tallies` must have, counted from the cases; for schema/recount.sql and `capstan doctor`.
 CREATE VIEW counted_tallies (study_id, word, count, cost) AS
   SELECT study_id, state, count(*), total(cost)
     FROM (SELECT DISTINCT study_id, case_id FROM study_cases) JOIN cases ON id = case_id GROUP BY study_id, state

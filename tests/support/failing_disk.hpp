@@ -17,8 +17,8 @@ class FailingDisk {
   bool is_mounted() const { return is_mounted_; }
   std::filesystem::path path() const { return directory_.path() / "disk"; }
 
-  /// What the kernel does after an error of the device: every write fails from now on, also to open files.
-  /// Reading still works.
+  /// Brings the file system into the state after an error of the device: every write fails from now on, also
+  /// to open files. Reading still works.
   void fail() const;
   /// Mounts it again. No file of it may be open.
   void repair();

@@ -1,5 +1,5 @@
 #pragma once
-// A sphere with a viscosity ratio and a force on its surface, as a multigrid cycle of a run has to solve for.
+// Input for a multigrid cycle as in a run: a sphere with a viscosity ratio and a force on its surface.
 #include <cmath>
 #include <numbers>
 #include <span>

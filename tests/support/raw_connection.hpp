@@ -26,7 +26,7 @@ class RawConnection {
   /// if neither happens for a minute.
   std::string receive(std::size_t max_bytes);
   std::string receive_all();
-  /// The server has closed the connection, or does so within that time.
+  /// True if the server has closed the connection, or closes it within that time.
   bool closes_within(std::chrono::milliseconds time);
 
  private:

@@ -16,7 +16,7 @@ namespace capstan {
 
 class ServiceFixture : public testing::Test {
  protected:
-  /// As after a kill of the daemon: a new service on the same data.
+  /// Makes a new service on the same data, as after a kill of the daemon.
   void restart() {
     service_.reset();
     service_ = std::make_unique<Service>(data_, executor_, clock_, 2, limits_);

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// From the bottom up. A folder may include itself and those before it: so no circles.
+/// From the bottom up. A folder may include itself and those before it: so there are no cycles.
 const std::vector<std::string> kOrder = {
     "solver/grid",       "solver/strain_laws", "solver/case",          "solver/state",    "solver/mesh",
     "solver/membrane",   "solver/observe",     "solver/run_directory", "solver/coupling", "solver/fluid",
@@ -80,7 +80,7 @@ TEST(Includes, PointDownwards) {
   }
 }
 
-// Flow models take options: what a case is, only solver/simulation knows, which makes the options.
+// Flow models take options. Only solver/simulation knows the case, and makes the options from it.
 TEST(Includes, NoGridCouplingOrFlowModelKnowsTheCase) {
   for (const auto& [from, to] : all_includes())
     for (const char* folder : {"solver/grid", "solver/coupling", "solver/fluid"})
@@ -102,7 +102,7 @@ TEST(Includes, FlowModelsKnowNoOtherModelButTheSharedLatticeBoltzmannCode) {
   }
 }
 
-// What else the runner used of the solver would not link: only runner/worker is linked with it.
+// Other parts of the solver could not be linked: only runner/worker is linked with the whole solver.
 TEST(Includes, OnlyTheWorkerKnowsMoreOfTheSolverThanTheCaseAndTheRunDirectory) {
   for (const auto& [from, to] : all_includes()) {
     if (!from.starts_with("runner/") || !to.starts_with("solver/") || folder_of(from) == "runner/worker")

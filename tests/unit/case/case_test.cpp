@@ -195,7 +195,8 @@ TEST(ParseCase, SpontaneousCurvatureIsANumberOrTheInitialOne) {
   EXPECT_THAT(pointers_of_issues(with(kRedBloodCell, "/c0", "flat")), ElementsAre("/c0"));
 }
 
-/// The fluid that was chosen for a sphere with these keys, whether "auto" stands there or nothing does.
+/// The flow model that is chosen for a sphere with these keys; the same for "auto" and without the key
+/// `fluid`.
 Fluid chosen_fluid(json keys) {
   keys["Ca"] = 0.1;
   const Fluid by_default = valid(keys).fluid;

@@ -12,7 +12,7 @@ TEST(CaseState, IsReadBackFromItsWord) {
   EXPECT_FALSE(parse_case_state("interrupted"));
 }
 
-/// A run that ended with or without an answer gives its case the state of that name.
+/// After a run that ended as done, failed or diverged, the state of the case has the same name.
 TEST(CaseState, HasTheWordOfTheEndingThatLedToIt) {
   for (const RunEnding ending : {RunEnding::done, RunEnding::failed, RunEnding::diverged})
     EXPECT_TRUE(has_ended(parse_case_state(to_string(ending)).value()));

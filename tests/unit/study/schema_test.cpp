@@ -31,7 +31,8 @@ std::set<std::string> keys_of_a_case() {
   return all;
 }
 
-/// A case in which every key but `aspect` has an effect, and each bound alone is no impossible run.
+/// A case in which every key but `aspect` has an effect. Each value can be set to its bounds, one at a time,
+/// without making the run impossible.
 const json kCase =
     json::parse(R"({"shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.4, "V": 4, "Re": 0.05,
   "E_b": 0.015, "bending": "variational", "c0": 0, "fluid": "quasisteady", "until": {"kt": 0.1},

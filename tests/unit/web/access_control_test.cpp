@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kToken = "0123456789abcdef";
 
-/// Of the refusal; 0: allowed.
+/// Status of the refusal; 0 if the request is allowed.
 int status_of(const AccessControl& access, const std::string& host, const std::string& lines = "") {
   const ParsedHead parsed = parse_head("GET / HTTP/1.1\r\nHost: " + host + "\r\n" + lines + "\r\n");
   EXPECT_FALSE(parsed.refusal);

@@ -12,7 +12,7 @@ ParsedHead post(const std::string& lines) {
   return parse_head("POST /v1/studies HTTP/1.1\r\nHost: localhost\r\n" + lines + "\r\n");
 }
 
-/// Of the refusal; 0: accepted.
+/// Status of the refusal; 0 if the head is accepted.
 int status_of(const ParsedHead& parsed) {
   if (parsed.refusal) return parsed.refusal->status;
   const auto refusal = refuse_unsupported(parsed.request);
