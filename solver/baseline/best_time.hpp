@@ -1,5 +1,5 @@
 #pragma once
-// Timing of short works on a machine that also runs other programs.
+// Timing of short functions on a machine that also runs other programs.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -8,9 +8,9 @@
 
 namespace capstan {
 
-/// Seconds of the fastest call of each work. The works take turns for `span` seconds, at least five turns, so
-/// that other programs slow down all of them alike. The fastest call counts because other programs can only
-/// add time.
+/// Seconds of the fastest call of each function. The functions are called in turn for `span` seconds, and at
+/// least five times each, so that other programs slow down all of them alike. The minimum is taken because
+/// other programs can only lengthen a call.
 template <class... Work>
 std::array<double, sizeof...(Work)> best_times(double span, Work... work) {
   using Clock = std::chrono::steady_clock;

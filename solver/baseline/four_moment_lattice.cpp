@@ -13,7 +13,8 @@ using d3q19::opposite;
 
 namespace {
 
-/// rho of a row of cells and of the eight rows around it. Each component of g follows after `stride` numbers.
+/// rho in a row of cells and in the eight rows around it. The components of g of a cell follow its rho at
+/// distances of `stride`, 2 `stride` and 3 `stride` numbers.
 template <class Real>
 struct Neighbours {
   const Real* row[3][3];  ///< [1 + dy][1 + dz]
@@ -30,7 +31,7 @@ template <int ex, int ey, int ez, class Real>
   return value;
 }
 
-/// phi of the two populations that arrive at a cell along e and along -e.
+/// phi of the two populations that stream into a cell in the directions e and -e.
 template <class Real>
 struct Pair {
   Real sum, difference;
@@ -119,8 +120,8 @@ void FourMomentLattice<Real>::step_inner_row(int y, int z) {
   stream(near, next_.row(0, y, z), box_.size(0));
 }
 
-/// Half-way bounce-back: a population that the cell sent to the wall returns reversed, with the momentum of
-/// the wall.
+/// Half-way bounce-back: a population that left the cell towards the wall returns to it in the opposite
+/// direction, with the momentum of the wall added.
 template <class Real>
 void FourMomentLattice<Real>::step_row_at_wall(int y, int z) {
   for (int moment = 0; moment < 4; ++moment) std::fill_n(next_.row(moment, y, z), box_.size(0), Real(0));

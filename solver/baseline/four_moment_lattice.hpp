@@ -7,9 +7,10 @@
 //   f*_q = w_q phi_q,   phi_q = rho + 3 e_q.g.
 // Streaming then gives the moments at the next time step from those of the neighbours:
 //   rho(x) = sum_q w_q phi_q(x - e_q),   j(x) = sum_q w_q e_q phi_q(x - e_q).
-// So a cell has 4 numbers instead of 19; the results are equal to round-off. A step reads one array and
-// writes another: an update reads 4 numbers, fetches 4 into the cache that it overwrites, and writes 4. No
-// force is added, since a force acts only on the few cells around the capsule.
+// So a cell has 4 numbers instead of 19; the results are equal up to rounding errors. A step reads one array
+// and writes another. Updating a cell moves 12 numbers: 4 are read, 4 are written, and before they are
+// written the 4 old values are loaded into the cache (write allocation). No force is added, since a force
+// acts only on the few cells around the capsule.
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -26,7 +27,8 @@ class MomentField {
  public:
   explicit MomentField(const IndexBox& box);
 
-  /// The cell x = 0. \param moment 0: rho, 1 to 3: g
+  /// The cell x = 0.
+  /// \param moment  0: rho, 1 to 3: g
   Real* row(int moment, int y, int z) { return numbers_.data() + offset(moment, y, z); }
   const Real* row(int moment, int y, int z) const { return numbers_.data() + offset(moment, y, z); }
   /// Distance in memory from a moment to the next one of the same cell.

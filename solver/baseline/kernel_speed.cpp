@@ -20,7 +20,7 @@ template <class Real, class Lattice>
 KernelSpeed measured(Lattice& lattice, const IndexBox& box, int stored, int moved) {
   constexpr double kSpan = 2;  // seconds
   constexpr double kUpdatesPerTurn =
-      2e6;  // so many that a small lattice is in the caches for most of its turn
+      2e6;  // so many that a small lattice stays in the caches during most of them
   const double cells = double(box.cells());
   const int steps = std::max(2, int(kUpdatesPerTurn / cells));
   ScaledArray array(std::size_t(cells * stored * sizeof(Real)));

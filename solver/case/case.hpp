@@ -1,5 +1,5 @@
 #pragma once
-// One run: every input that decides its outcome, dimensionless (radius a = 1, shear rate k = 1, ambient
+// One run: all inputs that determine its results, dimensionless (radius a = 1, shear rate k = 1, ambient
 // viscosity mu_a = 1). parse_case makes a Case from a case file and checks it; parameters.hpp lists the keys.
 #include <nlohmann/json.hpp>
 #include <string>
@@ -37,8 +37,9 @@ inline constexpr auto kWords<Fluid> = std::to_array<Word<Fluid>>({{Fluid::quasis
                                                                   {Fluid::transient, "transient"},
                                                                   {Fluid::stokes, "stokes"}});
 
-/// Spontaneous curvature c0 in units of 1/a: a number; `initial`, c0 = -2 H0 at each vertex, so that the
-/// initial shape is free of bending (paper, section VII D); or `uniform`, the mean of that over the membrane.
+/// Spontaneous curvature c0 in units of 1/a: a number; or `initial`, c0 = 2 H of the initial shape at each
+/// vertex, so that this shape has no bending energy (paper, section VII D: -2 kappa_0); or `uniform`, the
+/// mean of 2 H over the initial shape. H > 0 on a sphere.
 struct InitialCurvature {
   bool operator==(const InitialCurvature&) const = default;
 };
@@ -47,7 +48,7 @@ struct UniformCurvature {
 };
 using SpontaneousCurvature = std::variant<InitialCurvature, UniformCurvature, double>;
 
-/// A run ends at shear time `kt`, or earlier if `classified` and its motion is certain.
+/// A run ends at shear time `kt`. If `classified` is true it ends earlier, as soon as its label is certain.
 struct Until {
   double kt = 30;
   bool classified = false;
@@ -67,7 +68,7 @@ struct Case {
   double aspect = 1;  ///< axis of revolution over equatorial axis: oblate < 1 < prolate (eq. 45: b/a)
   const StrainLaw* law = default_strain_law();  ///< a row of strain_laws(), never null
   std::vector<double> law_constants;            ///< in the order of law->constants
-  double Ca = 0;   ///< mu_a a k / E_s (eq. 1); each law says which modulus E_s is
+  double Ca = 0;   ///< mu_a a k / E_s (eq. 1); each strain law defines its modulus E_s
   double V = 1;    ///< viscosity ratio, inner over outer (eq. 3)
   double Re = 0;   ///< rho k a^2 / mu_a (eq. 4); 0 for fluid stokes
   double E_b = 0;  ///< E_B / (a^2 E_s) (eq. 2)
@@ -81,14 +82,15 @@ struct Case {
   bool has_aspect() const { return shape == Shape::oblate || shape == Shape::prolate; }
   bool has_bending() const { return E_b > 0; }
   bool has_viscosity_ratio() const { return V != 1; }
-  /// The model solves an equation to a tolerance at every step; boundary integrals at V = 1 need no solution.
+  /// Whether the model solves an equation iteratively at every step. Boundary integrals do not at V = 1,
+  /// where the velocities are given by an explicit integral.
   bool solves_for_flow() const { return fluid == Fluid::quasisteady || (fluid == Fluid::stokes && V != 1); }
   bool has_grid() const { return fluid != Fluid::stokes; }
-  /// The quasisteady flow on a composite grid, not with the paper's own scheme.
+  /// Whether the model is the quasisteady flow on a composite grid, and not the scheme of the paper.
   bool has_composite_grid() const { return fluid == Fluid::quasisteady && fidelity.scheme == Scheme::tuned; }
-  /// The numbers on the lattice can be of single or double precision.
+  /// Whether the numbers on the lattice can be in single or double precision.
   bool has_precision() const { return fluid == Fluid::transient || has_composite_grid(); }
-  /// The model can solve for a quarter of a symmetric flow.
+  /// Whether the model can solve for a quarter of a symmetric flow.
   bool can_use_symmetry() const { return !has_grid() || has_composite_grid(); }
   bool operator==(const Case&) const = default;
 };

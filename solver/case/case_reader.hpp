@@ -15,11 +15,11 @@ namespace capstan {
 
 class CaseReader {
  public:
-  /// \param document  an object; kept by reference, like the lists that issues and choices are added to
+  /// \param document  a JSON object. It, `issues` and `choices` are kept by reference
   CaseReader(const nlohmann::json& document, Issues& issues, Choices& choices)
       : document_(document), issues_(issues), choices_(choices) {}
 
-  /// The case. It is valid if no issue was added; else it holds defaults where values are wrong.
+  /// The case. It is valid if no issue was added; otherwise wrong values are replaced by defaults.
   Case read();
 
  private:
@@ -29,7 +29,8 @@ class CaseReader {
   void leave_out_inertia();
   void read_group(const ParameterGroup& group);
   void read_fidelity();
-  /// Starts from a preset. \param pointer  where its name stands
+  /// Takes the settings of a preset.
+  /// \param pointer  to the name of the preset in the document
   void start_from_preset(const std::string& pointer, const nlohmann::json& name);
   void choose_time_step();
   void check_effects();
@@ -42,14 +43,14 @@ class CaseReader {
   const nlohmann::json* given(const Parameter& parameter) const;
   void add_issue(const std::string& pointer, std::string message);
   bool has_issue(const std::string& pointer) const;
-  /// What decides whether the condition holds is wrong itself.
+  /// Whether the condition cannot be evaluated, because the value of the key that decides it is wrong.
   bool is_undecided(const Condition& condition) const;
 
   const nlohmann::json& document_;
   Issues& issues_;
   Choices& choices_;
   Case case_ = default_case();
-  bool has_fluid_ = false;  ///< given, and not left to the solver
+  bool has_fluid_ = false;  ///< the file gives the flow model, and it is not "auto"
 };
 
 }  // namespace capstan

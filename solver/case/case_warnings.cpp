@@ -9,7 +9,7 @@
 namespace capstan {
 namespace {
 
-/// The limit is that of the paper, fig. 10.
+/// Warns if the flow model neglects inertia at a Reynolds number above the limit of the paper, fig. 10.
 std::string neglected_inertia(const Case& c) {
   if (!neglects_inertia(c)) return "";
   return "Re = " + rounded(c.Re) +

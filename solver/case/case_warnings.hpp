@@ -1,5 +1,6 @@
 #pragma once
-// Warnings about a case that can be run, but whose settings make the result doubtful. Known before the run.
+// Warnings about a case that can be run, but whose settings make its result doubtful. They follow from the
+// case alone, before the run.
 #include <string>
 #include <vector>
 

@@ -9,7 +9,7 @@ namespace capstan {
 struct Choice {
   std::string key;               ///< key of the case file
   nlohmann::json asked, chosen;  ///< values of the key
-  std::string reason;            ///< for the user, a sentence
+  std::string reason;            ///< a sentence for the user
   bool operator==(const Choice&) const = default;
 };
 using Choices = std::vector<Choice>;

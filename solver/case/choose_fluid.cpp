@@ -5,8 +5,8 @@
 namespace capstan {
 namespace {
 
-/// A given setting that only a lattice has, e.g. "fidelity/dx"; "" if there is none. The time step kdt is
-/// one: with boundary integrals the stepper chooses it.
+/// A setting in the case file that only a lattice has, e.g. "fidelity/dx"; "" if there is none. The time step
+/// kdt counts as one, because with boundary integrals the stepper chooses the time step.
 std::string lattice_setting(const nlohmann::json& fidelity) {
   if (fidelity == "paper") return "fidelity";
   if (!fidelity.is_object()) return "";

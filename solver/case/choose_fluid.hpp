@@ -2,7 +2,7 @@
 // The flow model of a case that leaves the choice to the solver ("fluid": "auto", the default).
 //
 // At equal cost the errors of boundary integrals are 7 to 100 times smaller than those of a lattice. But they
-// have no inertia, no walls and no grid: a case that asks for one of these gets a lattice.
+// have no inertia, no walls and no grid: a case that requires one of these is computed on a lattice.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -25,7 +25,7 @@ FluidChoice choose_fluid(double Re, const nlohmann::json& fidelity);
 /// fig. 10).
 Fluid lattice_for(double Re);
 
-/// The case has the quasisteady model at a Reynolds number where the transient one is needed.
+/// Whether the case has the quasisteady model at a Reynolds number that needs the transient one.
 bool neglects_inertia(const Case& c);
 
 }  // namespace capstan

@@ -8,7 +8,7 @@
 
 namespace capstan {
 
-/// How the quasisteady lattice flow is solved.
+/// Numerical scheme of the quasisteady lattice flow.
 enum class Scheme {
   tuned,  ///< a fine grid around the capsule only, free parameters chosen for convergence; stops on an
           ///< estimate of the error
@@ -18,7 +18,7 @@ template <>
 inline constexpr auto kWords<Scheme> = std::to_array<Word<Scheme>>({{Scheme::tuned, "tuned"},
                                                                     {Scheme::paper, "paper"}});
 
-/// How the membrane moves with the flow.
+/// Time integration of the membrane.
 enum class Stepper {
   adams_bashforth,        ///< second order, equal steps, one flow a step (paper eq. 38)
   runge_kutta_chebyshev,  ///< second order, adaptive steps, as many flows a step as stability requires
@@ -65,7 +65,7 @@ const FidelityPreset* find_preset(std::string_view name);
 /// Vertex counts of the icosahedron subdivided 0, 1, 2 ... times.
 inline constexpr int kIcosphereNodes[] = {12, 42, 162, 642, 2562, 10242, 40962};
 
-/// How often the icosahedron is subdivided for this vertex count; nothing if no subdivision has it.
+/// Number of subdivisions of the icosahedron for this vertex count; nothing if there is no such number.
 std::optional<int> icosphere_subdivisions(int nodes);
 
 }  // namespace capstan

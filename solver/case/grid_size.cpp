@@ -12,7 +12,8 @@ SemiAxes semi_axes(const Case& c) {
 double uniform_cells(const Case& c) { return std::pow(c.fidelity.box / c.fidelity.dx, 3); }
 
 double composite_cells(const Case& c) {
-  constexpr double kStretch = 0.6, kMargins = 12;  // of the box as the capsule deforms, / a; in cells
+  constexpr double kStretch = 0.6, kMargins = 12;  // growth of the box as the capsule deforms, / a; margins
+                                                   // of the box on both sides, in cells
   const auto [axis, across] = semi_axes(c);
   const auto cells_along = [&](double semi_axis) {
     return (2 * semi_axis + kStretch) / c.fidelity.dx + kMargins;

@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The value of the parameter in a case that does not give it; null where that depends on other parameters.
+/// The default of the parameter; null if it depends on other parameters.
 ordered_json default_of(const Parameter& parameter) {
   if (parameter.key == "fluid") return "auto";
   const bool depends_on_others = !parameter.required.empty() || parameter.group == "fidelity";

@@ -30,8 +30,8 @@ bool nested_deeper_than(int limit, std::string_view text) {
   return false;
 }
 
-/// Finds keys that an object has twice. A SAX parser, because with a callback of json::parse the time grows
-/// with the square of the number of objects in an array.
+/// Finds keys that occur twice in an object. A SAX parser is used because the time of json::parse with a
+/// callback grows with the square of the number of objects in an array.
 class DuplicateKeys : public nlohmann::json_sax<json> {
  public:
   explicit DuplicateKeys(Issues& issues) : issues_(issues) {}
@@ -65,7 +65,7 @@ class DuplicateKeys : public nlohmann::json_sax<json> {
 
  private:
   Issues& issues_;
-  std::vector<std::set<std::string>> keys_;  ///< of each object around the current position
+  std::vector<std::set<std::string>> keys_;  ///< keys of each object around the current position
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace capstan {
 
 struct ParsedJson {
-  std::optional<nlohmann::json> value;  ///< engaged when issues is empty
+  std::optional<nlohmann::json> value;  ///< has a value if `issues` is empty
   Issues issues;
 };
 

@@ -7,14 +7,14 @@
 namespace capstan {
 namespace {
 
-/// Place of a constant among those of its law; nothing for a law without it.
+/// Index of a constant in StrainLaw::constants; nothing if the law does not have it.
 std::optional<std::size_t> index_of(const std::string& key, const StrainLaw& law) {
   for (std::size_t i = 0; i < law.constants.size(); ++i)
     if (law.constants[i].key == key) return i;
   return std::nullopt;
 }
 
-/// The laws that have a constant, at least one.
+/// The laws that have the constant; there is at least one.
 std::vector<const StrainLaw*> laws_with(const std::string& key) {
   std::vector<const StrainLaw*> laws;
   for (const StrainLaw& law : strain_laws())
@@ -34,7 +34,7 @@ const LawConstant& constant_of(const StrainLaw& law, const std::string& key) {
   return law.constants[*index_of(key, law)];
 }
 
-/// What the constant is in each law; once, where laws agree.
+/// Description of the constant. Laws may describe it differently: each description is given once.
 std::string description_of(const std::string& key, const std::vector<const StrainLaw*>& laws) {
   std::vector<std::string> texts;
   for (const StrainLaw* law : laws) {

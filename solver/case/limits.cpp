@@ -36,8 +36,8 @@ double days(const Case& c) { return run_cost(c) / 86400; }
 
 /// An upper limit of a quantity.
 struct Limit {
-  std::string_view pointer;         ///< to the parameter that decides the quantity
-  double (*quantity)(const Case&);  ///< of a case; 0 if it has none
+  std::string_view pointer;         ///< to the parameter that determines the quantity
+  double (*quantity)(const Case&);  ///< of a case; 0 if the limit does not concern it
   double max;                       ///< the comment above the row gives the reason
   std::string_view unit, advice;
 };
@@ -97,7 +97,8 @@ void check_precision(const Case& c, Issues& issues) {
 
 /// The membrane moves with the time step of the lattice. Its stability limits the decay rate of the
 /// membrane's fastest mode times the step: a sphere at Re = 10 and dx = 0.2 kept its volume at 4, not at 10.
-/// The stability of the flow limits the lattice velocity of the walls: 0.2 was stable, 0.26 was not.
+/// The stability of the lattice Boltzmann method limits the velocity of the walls in lattice units: 0.2 was
+/// stable, 0.26 was not.
 void check_transient(const Case& c, Issues& issues) {
   constexpr double kMinStep = 1e-8, kMaxDecay = 6, kMaxWallSpeed = 0.22;
   const LatticeUnits units = transient_units(c);
@@ -132,7 +133,8 @@ void check_grid_fits(const Case& c, Issues& issues) {
 
 double grid_bytes(const Case& c) {
   // bytes a cell: populations before and after a sweep, and relaxation rates; on coarse levels, which
-  // together have 1/7 of the cells, also right-hand side and start. In place: the populations only.
+  // together have 1/7 of the cells, also the right-hand side D and the start I f. kInPlace: only one set of
+  // populations, in single precision.
   constexpr double kPaper = 19 * 8 * 2 + 8 + 19 * 8 * 4 / 7., kInPlace = 19 * 4;
   const double cells = uniform_cells(c);
   if (c.fluid == Fluid::transient)

@@ -9,9 +9,9 @@
 
 namespace capstan {
 
-/// Renames each unknown key of the object that is near to a known key the object lacks, so that a mistyped
-/// key is one issue. Returns these issues; none for anything but an object. \param pointer  of the object in
-/// its document
+/// Renames each unknown key that is near to a known key which is missing in the object. So a mistyped key
+/// causes one issue, not two. Returns these issues; none if the value is not an object.
+/// \param pointer  to the object in its document
 Issues rename_mistyped_keys(nlohmann::json& object, const std::vector<std::string_view>& known,
                             const std::string& pointer = "");
 

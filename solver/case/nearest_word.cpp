@@ -34,13 +34,14 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return last[b.size()];
 }
 
-/// Few for short words, which are similar by chance.
+/// Number of typing errors allowed: few for short words, which may be similar by chance.
 std::size_t allowed_errors(std::size_t length) {
   return length < 3 ? 0 : length < 6 ? 1 : length < 9 ? 2 : 3;
 }
 
-/// The number of typing errors between two words; nothing if there are too many. The beginning of the
-/// candidate counts as one error more than is allowed, so that every other near candidate is preferred.
+/// The number of typing errors between two words; nothing if there are too many. If the typed word is the
+/// beginning of the candidate, the result is one more than the allowed number, so that every other near
+/// candidate is preferred.
 std::optional<std::size_t> errors_between(const std::string& typed, const std::string& candidate) {
   const std::size_t max_errors = allowed_errors(typed.size());
   const std::size_t errors = edit_distance(typed, candidate);

@@ -1,5 +1,5 @@
 #pragma once
-// Values for the rows of the table of parameters, from members of Case.
+// Functions that make the ParameterValue of a row of the table of parameters from a member of Case.
 #include <memory>
 #include <string>
 #include <utility>
@@ -20,7 +20,8 @@ Place<T> place_of(Group Case::*group, T Group::*member) {
   return [group, member](Case& c) { return &(c.*group.*member); };
 }
 
-/// A number with one range in all cases. \param member  of Case; or a group of Case and its member
+/// A number with the same range in all cases.
+/// \param member  a member of Case; or a group in Case and a member of this group
 template <class... Member>
 Value number(const Range& range, Member... member) {
   return std::make_shared<NumberValue>(Place<double>(place_of(member...)), range);
@@ -31,7 +32,8 @@ Value boolean(Member... member) {
   return std::make_shared<BooleanValue>(Place<bool>(place_of(member...)));
 }
 
-/// The words of an enumeration. \param also  a word that leaves the choice to the solver
+/// A value with one word for each enumerator.
+/// \param also  a further word, which leaves the choice to the solver
 template <HasWords Enum>
 Value word(Place<Enum> place, std::string also = "") {
   std::vector<std::string> words;

@@ -38,7 +38,7 @@ bool has_equal_steps(const Case& c) { return c.fidelity.stepper == Stepper::adam
 
 Condition needs_aspect() { return {has_aspect, "only oblate and prolate shapes have an aspect", "shape"}; }
 Condition needs_bending() { return {has_bending, "E_b is 0, so there is no bending resistance", "E_b"}; }
-/// With boundary integrals Re is allowed: it is ignored, and the choices of the case say so.
+/// With boundary integrals Re may be given. It is ignored, and this is recorded in the choices of the case.
 Condition needs_inertia() { return {has_grid, ""}; }
 Condition needs_grid() { return {has_grid, "boundary integrals have no grid"}; }
 Condition needs_own_time_step() {

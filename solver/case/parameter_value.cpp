@@ -13,7 +13,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using Reading = ParameterValue::Reading;
 
-/// A place is found in a case that may be changed; reading from it changes nothing.
+/// A Place takes a non-const Case. The cast is safe, because the value is only read.
 template <class T>
 const T& value_at(const Place<T>& place, const Case& c) {
   return *place(const_cast<Case&>(c));
@@ -31,7 +31,7 @@ std::string issue_with_number(const json& given, const Range& range) {
   return "";
 }
 
-/// 1 and not 1.0.
+/// A whole number is written as 1, not as 1.0.
 ordered_json without_fraction(double number) {
   constexpr double kMaxWhole = 1e9;
   const bool is_whole = std::abs(number) < kMaxWhole && number == std::floor(number);

@@ -1,6 +1,6 @@
 #pragma once
-// The kinds of values that parameters have: each kind reads a JSON value into the case, writes it and
-// describes it in a JSON schema.
+// The kinds of values that parameters have: each kind reads a value from JSON into a case, writes it to JSON,
+// and describes it in a JSON schema.
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,40 +13,39 @@
 namespace capstan {
 
 struct Range {
-  double min, max;  ///< both are allowed
-  std::string owner =
-      "";  ///< " for an oblate shape": whose range it is, where it depends on other parameters
-  double min_above_zero = 0;  ///< the smallest value besides 0, where 0 switches something off
-  std::string zero = "";      ///< what 0 means then
+  double min, max;            ///< both are allowed
+  std::string owner = "";     ///< the cases with this range, if not all, e.g. " for an oblate shape"
+  double min_above_zero = 0;  ///< the smallest value except 0, if the value 0 switches something off
+  std::string zero = "";      ///< meaning of the value 0 in this case
 };
 
 class ParameterValue {
  public:
   struct Reading {
     std::string issue = {};  ///< what is wrong with the value; "" if nothing
-    bool has_value = false;  ///< the case has the value, or the one that a mistyped word was meant to be
+    bool has_value = false;  ///< a value, given or nearest to a mistyped word, was stored
   };
 
   virtual ~ParameterValue() = default;
   virtual Reading read(const nlohmann::json& given, Case& c) const = 0;
   virtual nlohmann::ordered_json write(const Case& c) const = 0;
-  /// Keywords of JSON Schema for all values that the parameter has in any case.
+  /// Keywords of JSON Schema that allow all values that the parameter can have in any case.
   virtual nlohmann::ordered_json schema() const = 0;
 
   virtual bool takes_numbers() const { return false; }
-  /// The words that are values, in the order of their table.
+  /// The words that are allowed as values, in the order of their table.
   virtual std::vector<std::string> words() const { return {}; }
 };
 
-/// Where a case has a value; nullptr in a case that has no such parameter.
+/// Returns the address of a value in a case; nullptr if the case has no such parameter.
 template <class T>
 using Place = std::function<T*(Case&)>;
 
 class NumberValue final : public ParameterValue {
  public:
   NumberValue(Place<double> place, const Range& range);
-  /// \param range_in  the range in one case; nothing where the parameter has no effect
-  /// \param whole     from the smallest to the largest value in any case
+  /// \param range_in  returns the range in a case; nothing if the parameter has no effect there
+  /// \param whole     the range that contains the ranges of all cases
   NumberValue(Place<double> place, std::function<std::optional<Range>(const Case&)> range_in, Range whole)
       : place_(std::move(place)), range_in_(std::move(range_in)), whole_(std::move(whole)) {}
 
@@ -95,7 +94,8 @@ class BooleanValue final : public ParameterValue {
 /// A value with a word for each of its choices.
 class WordValue final : public ParameterValue {
  public:
-  /// \param set  given a word of `words`   \param also  a word that is read, but leaves the case as it is
+  /// \param set  stores one of `words` in a case
+  /// \param also  a further word, which leaves the case unchanged
   WordValue(std::vector<std::string> words, std::function<void(Case&, std::string_view)> set,
             std::function<std::string_view(const Case&)> get, std::string also = "");
 
@@ -121,8 +121,8 @@ class SpontaneousCurvatureValue final : public ParameterValue {
   std::vector<std::string> words() const override { return {"initial", "uniform"}; }
 };
 
-/// The one of `words` that a JSON value is; else what is wrong with it and the nearest of them, if one is
-/// near.
+/// Result of the search for a JSON value in `words`: the word; or an issue, together with the nearest word if
+/// one is near.
 struct WordFound {
   std::string word, issue;
 };

@@ -1,7 +1,7 @@
 #pragma once
-// The table of parameters: every key of a case file, its value, when it has an effect and what it means. The
-// parser, the canonical form, the axes of studies, the HTTP API's filters and the JSON schemas are made from
-// it.
+// The table of parameters: every key of a case file with its value, the conditions under which it has an
+// effect, and its description. The parser, the canonical form, the axes of studies, the HTTP API's filters
+// and the JSON schemas are made from it.
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,12 +13,13 @@
 
 namespace capstan {
 
-/// What must hold for a parameter to have an effect.
+/// A condition under which a parameter has an effect.
 struct Condition {
   std::function<bool(const Case&)> holds;
-  /// Message for a case that gives the key although it does not hold; "": the key is allowed all the same.
+  /// Message for a case that gives the key although the condition does not hold; "" if this is allowed.
   std::string otherwise;
-  /// The key that decides. If its value is wrong, nothing is said about this condition.
+  /// The key that decides whether the condition holds. If the value of that key is wrong, this condition
+  /// causes no issue.
   std::string decided_by = "";
 };
 
@@ -27,7 +28,8 @@ struct Parameter {
   std::shared_ptr<const ParameterValue> value = nullptr;
   std::vector<Condition> conditions = {};  ///< none: it always has an effect
   std::string description = "";            ///< for the JSON schema
-  std::string required = "";  ///< what it is, where a case must give it if its conditions hold; "": optional
+  std::string required = "";  ///< a noun for the parameter, if a case must give it where its conditions hold;
+                              ///< "" if it is optional
   std::string group = "";     ///< "until", "fidelity" or "outputs"; "" for the keys of the case itself
 
   bool has_effect(const Case& c) const;
@@ -35,7 +37,8 @@ struct Parameter {
   std::string pointer() const { return (group.empty() ? "" : "/" + group) + "/" + key; }
 };
 
-/// All parameters, in the order of the canonical form: decisive ones before those that depend on them.
+/// All parameters, in the order of the canonical form: a parameter comes after those on which its conditions
+/// and range depend.
 const std::vector<Parameter>& parameters();
 
 /// An object inside a case whose keys are parameters.

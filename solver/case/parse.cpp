@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A key without effect is one issue, whatever its value.
+/// A key without effect causes one issue only: issues with its value are dropped.
 void drop_other_issues_of_keys_without_effect(Issues& issues) {
   std::set<std::string> without_effect;
   for (const Issue& issue : issues)

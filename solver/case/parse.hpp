@@ -1,5 +1,5 @@
 #pragma once
-// From the JSON of a case file to a valid Case, or to everything that is wrong with it.
+// Parser of case files: from JSON to a valid Case, or to the list of all issues.
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -12,7 +12,7 @@
 namespace capstan {
 
 struct ParsedCase {
-  std::optional<Case> value;  ///< engaged when issues is empty
+  std::optional<Case> value;  ///< has a value if `issues` is empty
   Issues issues;
   Choices choices;  ///< where the case differs from what the file asks for, and why
 };
@@ -21,7 +21,7 @@ struct ParsedCase {
 /// of them are reported.
 ParsedCase parse_case(const nlohmann::json& json);
 
-/// Removes the keys without effect from the JSON of a case. Returns the issue that each of them was.
+/// Removes the keys without effect from the JSON of a case. Returns one issue for each removed key.
 Issues drop_keys_without_effect(nlohmann::json& object);
 
 }  // namespace capstan

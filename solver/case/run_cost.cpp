@@ -30,10 +30,10 @@ double uneven_mesh(const Case& c) {
   return axis > across ? kDrawnOut * std::pow(axis / across - 1, 2) : kFlattened * (across / axis - 1);
 }
 
-/// Seconds of a run with boundary integrals: steps, times stages a step (more for stiff membranes), times
-/// matrix-vector products a solution (more for viscosity ratios far from 1). A product sums over all pairs of
-/// vertices; the work at single vertices matters on coarse meshes. Measured at 162 to 10242 nodes, V = 1 and
-/// 4, aspects from 0.1 to 5.
+/// Seconds of a run with boundary integrals: number of steps, times stages per step (more for stiff
+/// membranes), times matrix-vector products per flow solution (more for viscosity ratios far from 1). The
+/// cost of a product is proportional to the number of pairs of vertices; on coarse meshes the cost per vertex
+/// matters, too. Measured at 162 to 10242 nodes, V = 1 and 4, aspects from 0.1 to 5.
 double stokes_run(const Case& c) {
   constexpr double kPair = 0.13e-9, kNode = 0.35e-6, kStep = 0.1;
   const double nodes = c.fidelity.nodes, images = c.fidelity.symmetry == Symmetry::automatic ? 1 : 4;
@@ -44,7 +44,7 @@ double stokes_run(const Case& c) {
 }
 
 double quasisteady_run(const Case& c) {
-  constexpr double kChosenStep = 0.02;  // average step a solution, where the stepper chooses
+  constexpr double kChosenStep = 0.02;  // average k dt per flow solution, where the stepper chooses the step
   const double steps = c.until.kt / (c.fidelity.kdt > 0 ? c.fidelity.kdt : kChosenStep);
   return steps * (c.has_composite_grid() ? composite_step(c) : papers_step(c));
 }

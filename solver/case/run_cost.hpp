@@ -1,5 +1,6 @@
 #pragma once
-// Estimated computing time of a run, from its case: to compare the cost of cases without running them.
+// Estimated computing time of a run, from its case alone. It allows cases to be compared without running
+// them.
 #include "solver/case/case.hpp"
 
 namespace capstan {

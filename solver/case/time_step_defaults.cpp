@@ -14,7 +14,8 @@ struct Stiffness {
   double in_plane, bending;
 };
 
-/// Factors to the stiffness of a sphere: elongated and flat shapes, and their meshes, have stiffer parts.
+/// Stiffness relative to that of a sphere: parts of elongated and flat shapes, and of their meshes, are
+/// stiffer.
 Stiffness stiffness_of_shape(const Case& c) {
   switch (c.shape) {
     case Shape::sphere:
@@ -41,9 +42,9 @@ Stiffness stiffness_of_membrane(const Case& c) {
 
 // A deformation of wavelength l has in-plane forces that scale as 1/l^2 and bending forces that scale as
 // 1/l^4; the viscous mobility scales as l. The decay rates therefore scale as 1/l and 1/l^3. The shortest
-// wavelength is a few spacings of the grid, which filters shorter ones; without a grid it is an edge of the
-// mesh. The factors were measured by the power iteration of rkc2 at Ca = 0.1 and kt = 0.1 with 642 nodes, on
-// a grid of dx = 0.2 and without a grid.
+// wavelength is a few spacings of the grid, which filters shorter ones; without a grid it is the length of an
+// edge of the mesh. The factors were measured by the power iteration of rkc2 at Ca = 0.1 and kt = 0.1 with
+// 642 nodes, on a grid of dx = 0.2 and without a grid.
 // clang-format off
 //   sphere                          grid   none   others
 //     neo-Hookean                    2.7     34   none, 2562 nodes: 68
@@ -69,8 +70,8 @@ double fastest_decay(const Case& c) {
 
 namespace {
 
-/// AB2 is stable up to 1 / decay rate. The factor is a margin for membranes that become stiffer when
-/// stretched.
+/// AB2 is stable for steps up to 1 / decay rate. The factor below 1 is a margin for membranes that become
+/// stiffer when stretched.
 constexpr double kStableShare = 0.65;
 
 double stable_kdt(const Case& c) { return kStableShare / fastest_decay(c); }
@@ -78,8 +79,8 @@ double stable_kdt(const Case& c) { return kStableShare / fastest_decay(c); }
 /// Accuracy limit of the time step for a grid spacing; the term dx^2 comes from the bending stiffness.
 double resolved_kdt(double dx) { return std::min(0.4 * dx, 4 * dx * dx); }
 
-/// The last limit is 1/10 of the stability limit of a neo-Hookean sphere, and 1/4 of that of a Skalak sphere
-/// with C = 5.
+/// The limit 2 Ca dx / area_stiffness is 1/10 of the stability limit of a neo-Hookean sphere, and 1/4 of that
+/// of a Skalak sphere with C = 5.
 double accurate_kdt(const Case& c) {
   const double dx = c.fidelity.dx,
                area_stiffness = std::max(1.0, 2 * c.law->moduli(c.law_constants).area / 11);
@@ -95,8 +96,8 @@ double default_kdt(const Case& c) {
   return std::round(kdt * 1e9) / 1e9;  // 0.08, not 0.08000000000000002
 }
 
-// Below 1/20 of the resolved step rkc2 needs fewer flow solutions: at 1/16 (sphere, Ca = 0.0125) both need
-// about as many.
+// If the steps of ab2 are shorter than 1/20 of resolved_kdt(), rkc2 needs fewer flow solutions. At 1/16
+// (sphere, Ca = 0.0125) both need about the same number.
 Stepper default_stepper(const Case& c) {
   constexpr double kSmallShare = 1. / 20;
   const bool is_unstable = stable_kdt(c) < accurate_kdt(c);

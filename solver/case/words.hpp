@@ -1,6 +1,6 @@
 #pragma once
-// The values of an enumeration and the words for them in case files: each pair stands once, in the table
-// kWords beside the enumeration.
+// The values of an enumeration and the words for them in case files: each pair is defined once, in the table
+// kWords next to the enumeration.
 #include <array>
 #include <optional>
 #include <string_view>

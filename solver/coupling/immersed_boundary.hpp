@@ -19,8 +19,9 @@ class ImmersedBoundary {
  public:
   explicit ImmersedBoundary(const GridGeometry& grid) : grid_(grid) {}
 
-  /// Computes the weights for these positions (3 x #V), and the box of cells they touch with `margin` more
-  /// cells on every side. Returns false if a position is not finite or absurdly far away.
+  /// Computes the weights for these positions (3 x #V), and the box of cells in the supports of their delta
+  /// functions, with `margin` more cells on every side. Returns false if a position is not finite or more
+  /// than 1e6 cells from the origin.
   bool place(const Points& positions, int margin);
 
   /// The cells that place() found.

@@ -11,15 +11,15 @@ namespace {
 
 constexpr int kLanes = 8;
 
-/// The cells within reach of a vertex, as offsets from the first cell of the box.
+/// The cells that may be within reach of a vertex, as offsets from the first cell of the box.
 struct Window {
   std::array<int, 3> first, last;  ///< inclusive
   std::array<float, 3> at;         ///< the vertex
   float reach2;                    ///< reach squared
 };
 
-/// Assigns the cells of the window to the vertex if it is nearer than those before. Branch-free: the
-/// comparison is unpredictable and would be mispredicted.
+/// Assigns to the vertex each cell of the window that is nearer to it than to all vertices before. Without
+/// branches, because they would often be mispredicted.
 CAPSTAN_VECTOR_UNITS void claim(const Window& window, int vertex, std::size_t y_pitch, std::size_t z_pitch,
                                 float* __restrict distance2, int* __restrict nearest) {
   for (int z = window.first[2]; z <= window.last[2]; ++z)

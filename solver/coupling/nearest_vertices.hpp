@@ -25,7 +25,7 @@ class NearestVertices {
   }
 
   IndexBox box_;
-  std::size_t pitch_ = 0;         ///< from row to row; unused numbers, a register full, follow each row
+  std::size_t pitch_ = 0;         ///< distance between rows, with a vector register of unused numbers
   std::vector<float> distance2_;  ///< squared, in cells, to the nearest vertex; scratch of find()
   std::vector<int> nearest_;
 };

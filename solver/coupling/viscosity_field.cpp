@@ -19,8 +19,9 @@ double smoothed_heaviside(double distance_in_cells) {
 ViscosityField::ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits)
     : grid_(grid), orbits_(std::move(orbits)), patch_(patch_around(orbits_.representatives(), 1, mesh)) {}
 
-// Only cells in a band around the membrane have a nearest vertex and a distance. A cell beyond the band
-// inherits inside or outside from the last band cell of its row; the first cells of a row are outside.
+// Only cells in a band around the membrane have a nearest vertex and a distance. A cell beyond the band is
+// inside or outside like the last band cell before it in its row; cells before the first band cell are
+// outside.
 void ViscosityField::update(const Points& positions, double ambient, double inner, ScalarField& viscosity) {
   measure_surface(positions);
   nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach_, viscosity.box());
@@ -60,9 +61,9 @@ double ViscosityField::signed_distance(const Vec3& offset, int vertex) const {
   return (2 * p + kappa * r2) / (1 + std::sqrt(std::pow(1 + kappa * p, 2) + kappa * kappa * t2));
 }
 
-/// In cells: a point within two spacings of the surface is within this distance of a vertex. The foot of its
-/// normal on a triangle is at most 0.58 edges from a corner (the centre of an equilateral triangle): hypot of
-/// the two.
+/// Distance in cells: every point within two spacings of the surface is within this distance of a vertex. The
+/// nearest point on a triangle is at most 0.58 edge lengths from a corner (the centre of an equilateral
+/// triangle). The two distances are orthogonal: hypot of the two.
 double ViscosityField::reach(const Points& of_patch) const {
   double max_edge2 = 0;
   for (const Edge& edge : patch_.mesh.edges)

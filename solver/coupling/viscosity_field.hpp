@@ -18,7 +18,8 @@ class ViscosityField {
   ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits);
 
   /// viscosity = inner + (ambient - inner) H(d / dx) in the cells of the field's box, which must contain the
-  /// capsule; d is the signed distance to the membrane, positive outside. \param positions  3 x #V
+  /// capsule; d is the signed distance to the membrane, positive outside.
+  /// \param positions  3 x #V
   void update(const Points& positions, double ambient, double inner, ScalarField& viscosity);
 
  private:
@@ -33,7 +34,7 @@ class ViscosityField {
   NearestVertices nearest_;
   Points normals_;     ///< 3 x #V, outward
   Scalars curvature_;  ///< #V, mean curvature, positive on a sphere
-  double reach_ = 0;   ///< cells; farther from all vertices the viscosity is that of one side
+  double reach_ = 0;   ///< in cells; cells farther from all vertices are in one fluid
 };
 
 }  // namespace capstan

@@ -24,7 +24,7 @@ inline FlowReport lost_flow(std::string reason) {
   return {.error = std::numeric_limits<double>::infinity(), .converged = false, .reason = std::move(reason)};
 }
 
-// Reasons that several models give.
+// Values of FlowReport::reason that several models use.
 inline constexpr const char* kLostMembrane = "the membrane's positions or forces are not finite";
 inline constexpr const char* kOutsideOfDomain =
     "the capsule has left the box: take a larger box, or the fluid stokes, which has none";
@@ -37,11 +37,12 @@ class FlowModel {
   /// Computes the velocities of the membrane at time kt.
   /// \param positions   3 x #V
   /// \param forces      3 x #V, by the membrane on the fluid, integrated over each vertex's share of the
-  /// membrane \param velocities  3 x #V, result
+  ///                    membrane
+  /// \param velocities  3 x #V, result
   virtual FlowReport solve(double kt, const Points& positions, const Points& forces, Points& velocities) = 0;
 
-  /// The time step k dt of the membrane, if the model prescribes it: that of a transient lattice is the
-  /// lattice's own.
+  /// The time step k dt of the membrane, if the model prescribes it: the transient lattice prescribes its own
+  /// time step.
   virtual std::optional<double> imposed_time_step() const { return std::nullopt; }
 
   /// Saves and loads everything the next solve depends on: a resumed run equals an uninterrupted one bit for

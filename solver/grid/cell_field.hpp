@@ -43,8 +43,8 @@ class CellField {
 using ScalarField = CellField<1>;
 using VectorField = CellField<3>;
 
-/// The field on a grid of twice the spacing: each cell has the mean of its eight children, of which those
-/// outside of the fine box have the value `outside`.
+/// The field on a grid of twice the spacing: each cell has the mean of its eight children. Children outside
+/// of the fine box count with the value `outside`.
 ScalarField coarsened(const ScalarField& fine, double outside);
 
 /// sum += factor * term, in the cells that both fields have.

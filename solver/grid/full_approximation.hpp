@@ -1,12 +1,12 @@
 #pragma once
-// Multigrid with full approximation storage (paper eqs. 22-25), for any hierarchy of levels of which each has
-// twice the spacing of the one before.
+// Multigrid with full approximation storage (paper eqs. 22-25), for any hierarchy of levels. Each level has
+// twice the spacing of the next finer one.
 //
 // The unknowns f of each level obey an equation
 //   A(f) = D.
-// On the finest level D is given (a force, or zero); on a coarser one it is the defect correction written by
+// On the finest level D is given (a force, or zero); on a coarser level it is the defect correction, set by
 // the next finer level. A lattice Boltzmann level has A(f) = f - S(f), where S is one collision and streaming
-// step. The residual is the right-hand side less the left-hand side,
+// step. The residual is the right-hand side minus the left-hand side,
 //   r(f) = D - A(f),   for a lattice   r(f) = S(f) + D - f
 // (the paper's eq. 21 has the opposite sign). From a fine level h to the next coarser one H, with the
 // restrictions I of unknowns and I' of residuals, and the interpolation P:

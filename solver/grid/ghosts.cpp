@@ -10,7 +10,7 @@ namespace {
 
 constexpr ImageComponent kUnchanged[] = {{0, 1}};
 
-/// The ghosts at both ends of every row, ghost rows included.
+/// Fills the ghosts at both ends of every row, ghost rows included, if x is periodic.
 template <class T>
 void fill_row_ends(RowField<T>& field, const std::array<SideRule, 2>& rules) {
   if (rules[0] != SideRule::periodic) return;
@@ -24,8 +24,8 @@ void fill_row_ends(RowField<T>& field, const std::array<SideRule, 2>& rules) {
   });
 }
 
-/// The ghost rows of one side and the rows of which they are images. Rows as in RowField, from their first
-/// ghost on.
+/// The ghost rows of one side, and the rows of which they are images. A row starts with its first ghost, as
+/// in RowField.
 template <class T>
 struct Layer {
   const T* original;         ///< first row
@@ -60,7 +60,7 @@ CAPSTAN_VECTOR_UNITS void put_images(const Layer<T>& layer, std::span<const Imag
     }
 }
 
-/// The same with each row reversed in x.
+/// Writes the images of all components, with each row reversed in x.
 /// \param count  numbers of one component of a row, without padding
 template <class T>
 CAPSTAN_VECTOR_UNITS void put_reversed_images(const Layer<T>& layer, std::span<const ImageComponent> image,
@@ -125,7 +125,8 @@ void fill_side(RowField<T>& field, int axis, int side, SideRule rule, const Imag
 
 const Images kScalarImages = {kUnchanged, kUnchanged, kUnchanged};
 
-// Axis after axis, each copying ghosts of the axes before: so edges and corners are right.
+// The axes are filled one after the other. The rows copied along y and z include the ghosts of the axes
+// before, so that the ghosts at edges and corners are correct, too.
 template <class T>
 void fill_ghosts(RowField<T>& field, const SideRules& rules, const Images& images) {
   fill_row_ends(field, rules.side[0]);

@@ -1,8 +1,8 @@
 #pragma once
 // Values of the ghost cells around a box: one rule for each side.
 //
-// Ghosts behind a wall or a symmetry plane are images of cells inside. What a field's components become in an
-// image (a change of sign, or another component) depends on what they mean, and is given as data.
+// Ghosts behind a wall or a symmetry plane are images of cells inside. The components of the image (a change
+// of sign, or another component) depend on the physical quantity, and are given by the caller as Images.
 #include <array>
 #include <span>
 
@@ -13,7 +13,7 @@ namespace capstan {
 enum class SideRule {
   interpolated,  ///< interpolated from the next coarser grid; fill_ghosts() leaves them alone
   periodic,      ///< copies of the cells at the other end (both sides of an axis)
-  wall,          ///< of y or z: image of the adjacent cell; the wall is half a cell outside of it
+  wall,          ///< of y or z: image of the adjacent cell; the wall is the outer face of this cell
   mirror,        ///< of z: image of the adjacent cell under z -> -z
   half_turn,     ///< of y at y = 0: image of the cell at (-x, -y) under the half-turn about z
 };
@@ -29,8 +29,8 @@ struct ImageComponent {
   int sign;  ///< +1 or -1
 };
 
-/// The components of a field's images behind a wall, in a mirror and after a half-turn. Empty: the field has
-/// no such side.
+/// The components of a field's images behind a wall, under the mirror symmetry and under the half-turn. Empty
+/// if the field has no side of this kind.
 struct Images {
   std::span<const ImageComponent> wall, mirror, half_turn;
 };

@@ -1,6 +1,7 @@
 #pragma once
-// Memory for arrays that are swept from end to end: aligned to cache lines, and on pages of 2 MB where Linux
-// has them. With pages of 4 kB a sweep over 19 arrays would wait for address translation (TLB misses).
+// Memory for large arrays that are read from beginning to end: aligned to cache lines, and on pages of 2 MB
+// where Linux provides them. With pages of 4 kB a sweep over 19 arrays would wait for address translation
+// (TLB misses).
 #include <sys/mman.h>
 
 #include <cstddef>

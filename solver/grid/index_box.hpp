@@ -3,8 +3,8 @@
 //
 // The cells of a grid and of the next coarser one, of twice the spacing, are numbered so that the cell i of
 // the coarse grid consists of the fine cells 2 i and 2 i + 1 in each direction. The parent of a cell i is
-// therefore floor(i/2), for negative indices too. Where the cell 0 lies in space is said by GridGeometry
-// (solver/coupling).
+// therefore floor(i/2), for negative indices too. GridGeometry (solver/coupling) has the position of the cell
+// 0 in space.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -26,8 +26,8 @@ struct IndexBox {
   }
 };
 
-/// Distances in memory from a number of a field to that of the next component, of the cell at y + 1 and of
-/// the cell at z + 1. Cells along x are contiguous.
+/// Distances in memory from a number of a field to the next component of the same cell, and to the same
+/// component of the cells at y + 1 and at z + 1. Cells along x are contiguous.
 struct Strides {
   std::ptrdiff_t component, y, z;
 };
@@ -56,7 +56,7 @@ inline IndexBox grown(IndexBox box, int cells) {
   return box;
 }
 
-/// The cells that both boxes have; a box without cells if there are none.
+/// The cells that both boxes have in common; an empty box if there are none.
 inline IndexBox intersection(const IndexBox& a, const IndexBox& b) {
   IndexBox both;
   for (int axis = 0; axis < 3; ++axis) {

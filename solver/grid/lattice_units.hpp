@@ -8,7 +8,7 @@ struct LatticeUnits {
   double dx;           ///< lattice spacing / a
   double nu_lu;        ///< viscosity of the ambient fluid in lattice units
   double velocity_lu;  ///< lattice velocity of the dimensionless velocity 1: Re nu_lu dx
-  double force_lu;     ///< lattice force in a cell of the dimensionless force 1 spread over one cell
+  double force_lu;     ///< force in lattice units on a cell that takes the whole dimensionless force 1
   double kdt;          ///< k dt of one lattice time step: Re nu_lu dx^2
 };
 

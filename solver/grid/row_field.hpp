@@ -13,17 +13,15 @@
 
 namespace capstan {
 
-/// Single precision numbers in a cache line and in the widest vector register.
+/// Number of single precision numbers in a cache line, and also in the widest vector register.
 inline constexpr int kLanes = 16;
 /// `numbers` rounded up to whole vector registers.
 constexpr int whole_lanes(int numbers) { return (numbers + kLanes - 1) / kLanes * kLanes; }
 
 enum class Layout {
-  /// The components of a row follow each other, so that a sweep over a row reads its neighbours from few
-  /// places in memory.
-  /// Rows start at cache lines and are padded to whole cache lines: loops over them use whole vector
-  /// registers. The values in
-  /// the padding are meaningless.
+  /// The components of a row follow each other, so that a sweep over a row reads from few separate streams of
+  /// memory. Rows start at cache lines and are padded to whole cache lines: loops over them use whole vector
+  /// registers. The values in the padding are meaningless.
   components_in_rows,
   /// One array for each component, for fields of so many components that a row would not fit into the
   /// first-level cache.
@@ -73,8 +71,8 @@ class RowField {
   std::span<const T> data() const { return data_; }
 
  private:
-  /// Numbers from one of the separate arrays to the next: a multiple of 4096 bytes plus three cache lines.
-  /// Without these lines all components of a cell would be in the same set of the cache.
+  /// Distance from one of the separate arrays to the next, in numbers: a multiple of 4096 bytes plus three
+  /// cache lines. Without these lines all components of a cell would be in the same set of the cache.
   static std::ptrdiff_t separate_stride(std::ptrdiff_t numbers) {
     constexpr std::ptrdiff_t kPage = 4096 / sizeof(T);
     return (numbers + kPage - 1) / kPage * kPage + 3 * kNumbersPerLine<T>;
@@ -108,7 +106,7 @@ void copy_cells(const RowField<T>& from, RowField<T>& to) {
   copy_cells(from, to, intersection(from.box(), to.box()));
 }
 
-// The following act number by number on whole fields or whole rows.
+// The following functions act elementwise on whole fields or whole rows.
 
 /// Linear extrapolation in time: now <- now + weight (now - before), before <- old value of now.
 void extrapolate(std::span<float> now, std::span<float> before, double weight);

@@ -8,7 +8,7 @@
 namespace capstan {
 namespace {
 
-constexpr int kBlock = 128;  // coarse cells of a row that are handled at a time
+constexpr int kBlock = 128;  // coarse cells of a row that are processed at a time
 constexpr int kMaxComponents = 5;
 
 // Loops over whole registers read a little beyond a row, into the memory that follows it (see RowField).
@@ -28,8 +28,8 @@ constexpr ParabolaWeights<T> parabola_weights(int child) {
   return {T(t * (t - 1) / 2), T(1 - t * t), T(t * (t + 1) / 2)};
 }
 
-/// Four rows of one grid, the row of the other that is computed from them, and the distances to the next
-/// component.
+/// Four rows of one grid, the row of the other grid that is computed from them, and for both the distance in
+/// memory from one component to the next.
 template <class T>
 struct RowTransfer {
   FourRows<T> from;
@@ -38,8 +38,9 @@ struct RowTransfer {
   int coarse_count;  ///< cells of the row that is on the coarser grid
 };
 
-/// A coarse row from the four rows of its children. Each step is done for all components before the next
-/// step: the numbers that a step reads were written long enough ago not to be waited for.
+/// A coarse row from the four rows of its children. Each step is done for all components before the next step
+/// starts. So the numbers that a step reads were not written immediately before, and loads do not wait for
+/// stores.
 template <class T>
 CAPSTAN_VECTOR_UNITS void average_rows(const RowTransfer<T>& rows, std::span<const double> factors) {
   alignas(64) T sums[kMaxComponents][2 * kBlock];
@@ -96,7 +97,7 @@ struct RowGrid {
   R* row(int i, int j) const { return first + i * inner_stride + j * outer_stride; }
 };
 
-/// Interpolation in x: both children of each of the `parents` cells of each row.
+/// Interpolation in x: computes both children of each of the `parents` coarse cells of each row.
 template <class T>
 CAPSTAN_VECTOR_UNITS void interpolate_in_x(const RowGrid<const T>& coarse, std::ptrdiff_t component,
                                            int parents, std::span<const double> factors,
@@ -116,8 +117,8 @@ CAPSTAN_VECTOR_UNITS void interpolate_in_x(const RowGrid<const T>& coarse, std::
       }
 }
 
-/// Interpolation along the inner axis: the rows of the children `first`, `first` + 1, ... from the rows of
-/// their parents, of which there is one more on each side.
+/// Interpolation along the inner axis: computes the rows of the children `first`, `first` + 1, ... from the
+/// rows of their parents. `parents` has one further row on each side.
 template <class T>
 CAPSTAN_VECTOR_UNITS void interpolate_between_rows(const RowGrid<const T>& parents, int first, int count,
                                                    const RowGrid<T>& out) {
@@ -163,8 +164,8 @@ void add_linear(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& re
   });
 }
 
-// Direction by direction: x in the coarse rows that are needed, then y, then z. In x both children of every
-// parent are computed; the last step copies those of the region.
+// The axes are interpolated one after the other: x in all coarse rows of the stencil, then y, then z. In x
+// both children of every parent are computed; the last step copies only the cells of the region.
 template <class T>
 void interpolate(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& region,
                  std::span<const double> factors) {
@@ -188,7 +189,7 @@ void interpolate(const RowField<T>& coarse, RowField<T>& fine, const IndexBox& r
     for (int y = region.lo[1]; y < region.hi[1]; ++y)
       for (int k = 0; k < K; ++k, child += nx) {
         T* row = fine.row(k, y, z) + (region.lo[0] - fine.box().lo[0]);
-        row[0] = child[0];  // the only cell of a ghost layer of x
+        row[0] = child[0];  // a ghost layer of x has this cell only
         if (region.size(0) > 1) std::copy_n(child + 1, region.size(0) - 1, row + 1);
       }
 }

@@ -1,7 +1,7 @@
 #pragma once
-// Transfers between a grid and the next coarser one, of twice the spacing. To a coarse cell goes the mean of
-// its eight children; a fine value is interpolated. Each component is multiplied by a factor of its own,
-// because numbers in lattice units change with the spacing.
+// Transfers between a grid and the next coarser one, of twice the spacing. A coarse cell receives the mean of
+// its eight children; values of fine cells are interpolated. Each component is multiplied by a factor of its
+// own, because the lattice units depend on the spacing.
 #include <array>
 #include <span>
 

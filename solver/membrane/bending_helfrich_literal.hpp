@@ -7,9 +7,9 @@ namespace capstan {
 /// normal n, is
 ///   P = -f_b A_vor,   f_b = E_B [ (2 kappa + c0) (2 kappa^2 - 2 K - c0 kappa) + 2 Delta kappa ] n.
 /// H and K come from quadric fits, Delta from the cotangent formula. The force is not the gradient of a
-/// discrete energy. For a c0 that varies over the surface it lacks Delta c0 and the tangential term, so that
-/// the initial shape with c0 "initial" is not in equilibrium. It is kept for comparison with the paper: the
-/// motion of a capsule can depend on the difference.
+/// discrete energy. If c0 varies over the surface, the terms with Delta c0 and the tangential force are
+/// missing, so that the initial shape with c0 "initial" is not in equilibrium. It is kept for comparison with
+/// the paper: the motion of a capsule can depend on the difference.
 class HelfrichLiteralBending final : public Bending {
  public:
   /// \param spontaneous_curvature #V, c0, the preferred 2H   \param modulus E_B

@@ -5,8 +5,8 @@
 namespace capstan {
 namespace {
 
-/// Adds the part of -dE that comes from changes of edge lengths l in d_i d(2H_i A_i): each edge has the
-/// tension E_B d theta, where d is the mean of its two ends.
+/// Adds the part of the force -dE/dx that comes from the edge lengths l in M_i = sum l theta / 2 (see
+/// add_forces): an edge ij has the tension E_B theta (d_i + d_j)/2.
 void add_edge_forces(const TriangleMesh& mesh, const FoldedSurface& surface, const Scalars& d, double modulus,
                      const Points& x, Points& forces) {
   for (size_t e = 0; e < mesh.edges.size(); ++e) {
@@ -18,10 +18,12 @@ void add_edge_forces(const TriangleMesh& mesh, const FoldedSurface& surface, con
   }
 }
 
-/// Adds the part of -dE that comes from changes of angles and areas. Moving a corner along the normal of its
-/// face changes the angle at the opposite side; summed over the three sides the force is the cotangent
-/// formula for -Delta d, along the normal. The gradient of the area by a corner is half the opposite side,
-/// rotated into the face. \param area_weight #V, dE/dA_i
+/// Adds the part of the force -dE/dx that comes from the angles theta and the areas A_i. A displacement of a
+/// corner along the normal of its face changes the dihedral angles at the three sides of the face. Summed
+/// over the faces around a vertex this force is the cotangent formula for -Delta d, weighted with the face
+/// normals. The gradient of the area of the face with respect to a corner is half the opposite side, rotated
+/// by a right angle in the plane of the face.
+/// \param area_weight  #V, dE/dA_i
 void add_face_forces(const TriangleMesh& mesh, const FoldedSurface& surface, const Scalars& d,
                      const Scalars& area_weight, double modulus, const Points& x, Points& forces) {
   for (Eigen::Index f = 0; f < mesh.faces.cols(); ++f) {

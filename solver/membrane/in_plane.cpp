@@ -7,8 +7,8 @@ namespace capstan {
 namespace {
 
 /// F, 3 x 2: the images of the two orthonormal axes of the undeformed plane. It maps the side (length, 0) to
-/// x1 - x0 and (foot, height) to x2 - x0. Charrier's rotation into a common plane is not needed: it cancels
-/// in C = F^T F.
+/// x1 - x0 and (foot, height) to x2 - x0. Charrier's rotation of both triangles into a common plane is not
+/// needed, because it cancels in C = F^T F.
 struct DeformationGradient {
   Vec3 axis1, axis2;
 
@@ -80,7 +80,8 @@ Principal InPlaneElasticity::stretches(const Points& positions) const {
 }
 
 // dE = E_s A0 (F S) : dF, where S is the second Piola-Kirchhoff tension with the principal values
-// dW/dlambda_i / lambda_i. This is eq. 29, without displacements in a common plane.
+// dW/dlambda_i / lambda_i. This is eq. 29, written without the displacements in a common plane that the paper
+// uses.
 void InPlaneElasticity::add_forces(const Points& positions, Points& forces) const {
   const Principal lambda = stretches(positions);
   const Principal tension = law_.derivatives(lambda, constants_) / lambda;

@@ -5,8 +5,8 @@
 namespace capstan {
 namespace {
 
-/// The bending force at a vertex depends on the curvature at its neighbours, which depends on the faces
-/// around these. helfrich_literal needs the whole surface for its quadric fits.
+/// The bending force at a vertex depends on the curvature at its neighbours, and this curvature on the faces
+/// around the neighbours: two rings of faces. helfrich_literal needs the whole surface for its quadric fits.
 constexpr int kRings = 2;
 
 }  // namespace

@@ -14,16 +14,16 @@ namespace capstan {
 
 class Membrane {
  public:
-  /// \param reference 3 x #V, the stress-free shape: the capsule's initial one
-  /// \param orbits    of the reference and of all positions to come
+  /// \param reference 3 x #V, the stress-free shape, which is the initial shape
+  /// \param orbits    symmetry of the reference; all positions passed to forces() must have it
   Membrane(const Case& c, const TriangleMesh& mesh, const Points& reference, Orbits orbits);
 
   /// Force of the membrane on the fluid at each vertex, 3 x #V, in units of mu_a k a^2. Not finite if the
   /// positions are not, or if a triangle has collapsed (with bending or the neo-Hookean law).
   void forces(const Points& positions, Points& forces) const;
 
-  /// The energy whose negative gradient the forces are. Nothing for the bending model helfrich_literal, which
-  /// has no energy, and where a quarter of the membrane is computed.
+  /// The elastic energy E, where the forces are -dE/dx. Nothing for the bending model helfrich_literal, whose
+  /// forces are not the gradient of an energy, and nothing if only a quarter of the membrane is computed.
   std::optional<double> energy(const Points& positions) const;
 
  private:

@@ -14,8 +14,8 @@ struct FoldedSurface {
   Scalars angles;        ///< #E: theta between the normals of the two faces, > 0 at convex edges
 
   /// #V: 2H_i = 1/A_i sum_edges l theta / 2, after Jülicher (J. Phys. II 6, 1797, 1996). Positive on a
-  /// sphere. Its integrals converge with the mesh; its values at vertices are noisy where the faces are
-  /// irregular.
+  /// sphere. Its integrals converge as the mesh is refined. Its values at single vertices are inaccurate
+  /// where the faces are irregular.
   Scalars total_curvatures;
 };
 

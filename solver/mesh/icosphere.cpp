@@ -25,8 +25,8 @@ std::vector<Vec3> icosahedron_vertices() {
   return vertices;
 }
 
-/// Its faces are the triples of vertices at a distance of one edge, which has the length 2, oriented
-/// outwards.
+/// The faces are all triples of vertices with distances of one edge length, 2, from each other. They are
+/// oriented outwards.
 Triangulation icosahedron() {
   Triangulation result{icosahedron_vertices(), {}};
   std::vector<Vec3>& x = result.vertices;

@@ -41,7 +41,7 @@ Orbits Orbits::of(const Points& positions) {
       if (image.slot < 0)
         image = {slot, signs};
       else
-        image.signs = 0.5 * (image.signs + signs);  // on the mirror plane or axis: conflicting signs give 0
+        image.signs = 0.5 * (image.signs + signs);  // on the mirror plane or axis: opposite signs give 0
     }
   }
   const auto is_alone = [](const Image& image) { return image.slot < 0; };

@@ -13,7 +13,8 @@ namespace capstan {
 class Orbits {
  public:
   /// The orbits of a surface that has the symmetry exactly, without rounding; else each vertex is an orbit of
-  /// its own. \param positions 3 x #V
+  /// its own.
+  /// \param positions  3 x #V
   static Orbits of(const Points& positions);
   /// Each vertex is an orbit of its own.
   static Orbits without_symmetry(int vertex_count);
@@ -26,8 +27,8 @@ class Orbits {
   int size(int representative) const { return sizes_[representative]; }
 
   /// Vectors at all vertices, 3 x #V, from those at the representatives, 3 x #representatives (further
-  /// columns are ignored). Components that the symmetry forbids at a vertex on the mirror plane or the axis
-  /// are set to zero.
+  /// columns are ignored). Components that must vanish by symmetry, at vertices on the mirror plane or the
+  /// axis, are set to zero.
   Points extend(const Points& of_representatives) const;
   /// Scalars at all vertices, #V, from those at the representatives.
   Scalars extend_scalars(const Scalars& of_representatives) const;
@@ -42,7 +43,8 @@ class Orbits {
 
   struct Image {
     int slot;    ///< index of the representative
-    Vec3 signs;  ///< of the components of a vector under the symmetry: +-1, or 0 where both signs occur
+    Vec3 signs;  ///< of the components of a vector under the symmetry: +-1, or 0 for a component that must
+                 ///< vanish
   };
   std::vector<int> representatives_;
   std::vector<Image> images_;  ///< #V

@@ -42,7 +42,7 @@ Coefficients fit(const std::vector<int>& ring, const Vec3& centre, const Eigen::
 // The graph z(x, y) with slopes p, q and second derivatives r, s, t at the vertex has, with its normal along
 // +z,
 //   k1 + k2 = ((1 + q^2) r - 2 p q s + (1 + p^2) t) / w^3,   k1 k2 = (r t - s^2) / w^4,
-// w^2 = 1 + p^2 + q^2. It bends away from its normal where the sum is negative, where our H is positive.
+// w^2 = 1 + p^2 + q^2. Here k1 + k2 is negative on a sphere with its outward normal, so 2H = -(k1 + k2).
 QuadricFit fit_quadrics(const TriangleMesh& mesh, const Points& positions) {
   const Points estimates = vertex_normals(positions, mesh.faces);
   QuadricFit result{Points(3, positions.cols()), Scalars(positions.cols()), Scalars(positions.cols())};

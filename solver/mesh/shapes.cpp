@@ -28,7 +28,7 @@ Points scaled_to_volume_of_unit_sphere(Points positions, const Faces& faces) {
 }
 
 /// Rotates about z by +pi/4, which takes the x axis to the diagonal, or by -pi/4, which takes the y axis
-/// there. With sine and cosine of equal size, opposite points stay exactly opposite after rounding.
+/// there. Sine and cosine are the same number, so that opposite points stay exactly opposite after rounding.
 Points turned_by_eighth(const Points& positions, bool x_to_diagonal) {
   constexpr double kSin = 1 / std::numbers::sqrt2;
   const double sine = x_to_diagonal ? kSin : -kSin;

@@ -6,7 +6,8 @@
 
 namespace capstan {
 
-/// Spheroid, paper eq. 45 with R = 1: semi-axis `aspect` along y and 1 across. \param directions 3 x #V, unit
+/// Spheroid, paper eq. 45 with R = 1: semi-axis `aspect` along y and 1 across.
+/// \param directions  3 x #V, unit
 Points spheroid(const Points& directions, double aspect);
 
 /// Red blood cell at rest after Fung, paper eq. 46; theta is the angle between direction and y axis. Edges

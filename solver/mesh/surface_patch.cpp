@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kNone = -1;
 
-/// Numbers the vertices of the patch in the order in which they are added.
+/// Numbers the vertices of the patch from 0, in the order in which they are added.
 class Places {
  public:
   explicit Places(int vertex_count) : places_(std::size_t(vertex_count), kNone) {}

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// 3 x #F. A face without area has the normal 0, which counts as a right angle to its neighbours'.
+/// 3 x #F. A face without area has the normal 0, which gives an angle of 90 degrees to its neighbours.
 Points unit_normals(const TriangleMesh& mesh, const Points& positions) {
   const Points areas = face_area_vectors(positions, mesh.faces);
   const Eigen::RowVectorXd sizes = areas.colwise().norm().cwiseMax(std::numeric_limits<double>::min());

@@ -46,7 +46,8 @@ std::vector<Edge> edges_of(const Faces& faces, const Sides& sides) {
   return edges;
 }
 
-/// In a face (vertex, neighbour, next) walked counter-clockwise, `next` follows `neighbour` around `vertex`.
+/// Neighbours of the vertex, counter-clockwise: in a counter-clockwise face (vertex, neighbour, next) the
+/// vertex `next` follows `neighbour`.
 std::vector<int> ring_around(int vertex, int first, const Sides& sides) {
   std::vector<int> ring{first};
   for (int next = sides.between(vertex, first).opposite; next != first;

@@ -21,13 +21,13 @@ Motion motion_of(const MotionFeatures& features) {
 
 double clamped_to_unit(double number) { return std::clamp(number, 0.0, 1.0); }
 
-/// Distance of r to the nearer threshold, in units of 1 - kOfShape, at most 1.
+/// Distance of r to the nearer one of kOfMembrane and kOfShape, in units of 1 - kOfShape, at most 1.
 double distance_of_r(double r) {
   return clamped_to_unit(std::min(std::abs(r - kOfMembrane), std::abs(r - kOfShape)) / (1 - kOfShape));
 }
 
-/// Smaller distance of the shares to their thresholds where half-turns of both kinds occurred, in the same
-/// units.
+/// 0 unless half-turns of both kinds occurred. Then the distance of the extreme shares to their thresholds,
+/// the smaller of the two, in the same units.
 double distance_of_kinds(const Shares& shares) {
   return clamped_to_unit(std::min(shares.largest - kOfShape, kOfMembrane - shares.smallest) / (1 - kOfShape));
 }
@@ -47,9 +47,10 @@ double margin_of(Motion motion, const MotionFeatures& features) {
   return std::min(distance_of_r(features.r), clamped_to_unit(features.clearance() - threshold));
 }
 
-/// Whether Q stays away from 0 in the next half-turns, extrapolated linearly from the last two. An approach
-/// to 0 is slow: 0.03 a half-turn for an oblate capsule at V = 15 that tumbles seven times and then
-/// tank-treads. \param half_turns at least two, the last one first
+/// Whether the smallest |Q| of a half-turn stays above `required` in the next half-turns, by linear
+/// extrapolation from the last two. Q may approach 0 slowly: by 0.03 per half-turn for an oblate capsule (V =
+/// 15) that tumbles seven times and then tank-treads.
+/// \param half_turns  at least two, the last one first
 bool keeps_clear(const std::vector<Samples>& half_turns, double required) {
   constexpr double kAhead = 8;  // half-turns
   const double last = smallest_distance_to_origin(half_turns[0]);
@@ -57,9 +58,10 @@ bool keeps_clear(const std::vector<Samples>& half_turns, double required) {
   return last - kAhead * std::max(0., before - last) >= required;
 }
 
-/// After a single half-turn: Q is far from 0 and the half-turn clearly of one kind. After two or more: Q
-/// stays away from 0 as extrapolated from the end of the run and from half a half-turn earlier, because Q may
-/// come closest to 0 where two half-turns meet.
+/// Whether Q will stay away from 0 if the run continues. After a single half-turn this is assumed if Q is far
+/// from 0 and the half-turn is clearly of one kind. After two or more, Q is extrapolated twice: with
+/// half-turns counted back from the end of the run, and from half a half-turn before the end, because Q may
+/// be closest to 0 at the boundary between two half-turns.
 bool will_keep_clear(const MotionFeatures& features) {
   constexpr double kFar = 4, kClearlyOneKind = 0.9;
   if (features.half_turns.size() < 2)

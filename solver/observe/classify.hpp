@@ -5,12 +5,12 @@
 // Let Q = D_xy (cos 2 theta, sin 2 theta), the in-plane shape vector. A capsule tumbles when Q winds around
 // 0. It tank-treads when Q does not and the membrane turns. At the boundary between the two, Q passes through
 // 0: the section is circular for a moment and theta may continue on either branch. The label is therefore not
-// decided by theta alone. It compares the rotation of the shape with that of the membrane, and tests how near
-// Q came to 0.
+// determined from theta alone: the rotation of the shape is compared with that of the membrane, and the
+// smallest distance of Q to 0 is tested.
 //
 // In one half-turn the angles of shape and membrane together change by pi. The share of the shape in that
-// change is near 1 where the capsule tumbles and near 0 where it tank-treads: these are the two kinds of
-// half-turns. The first rule that applies decides:
+// change is near 1 for tumbling and near 0 for tank-treading: these are the two kinds of half-turns. The
+// first rule that applies decides:
 //   1. The shape is steady while the membrane turns: tank-treading.
 //   2. The last three half-turns are of one kind: the motion has settled and has that kind. Earlier motion
 //      and the distance of Q to 0 do not count.
@@ -18,7 +18,7 @@
 //   4. Half-turns of both kinds occurred; or the share r of the shape in all of them lies between the
 //      thresholds of the two kinds; or Q came nearer to 0 than min(0.06, D_max / 2), D_max the largest D_xy:
 //      transition.
-//   5. Otherwise the kind that r belongs to.
+//   5. Otherwise tumbling if r is above the upper threshold, tank-treading if it is below the lower one.
 #include <string>
 
 #include "solver/observe/motion.hpp"
@@ -40,18 +40,18 @@ struct Evidence {
   /// Distance of the evidence to that for another label: 0 (doubtful) to 1 (clear). Distances of r are in
   /// units of 0.25, distances of D_min in units of the one that rule 4 requires. For tumbling and
   /// tank-treading: the smaller distance of r and D_min to their thresholds; once the motion has settled,
-  /// the threshold of D_min is 0. For a transition: the largest distance among its reasons, but at most a
-  /// third of the number of half-turns, and of the number of half-turns that rule 2 still lacks. For
-  /// undecided: 0.
+  /// the threshold of D_min is 0. For a transition: the largest distance among the reasons of rule 4, but at
+  /// most n/3 and at most m/3, where n is the number of half-turns and m the number of further half-turns of
+  /// one kind that rule 2 requires. For undecided: 0.
   double margin = 0;
 };
 
 struct Verdict {
   Motion motion = Motion::undecided;
   Evidence evidence;
-  bool certain = false;     ///< more time would not change the label: the run may end
+  bool certain = false;     ///< a longer run would not change the label, so the run may end
   bool steady = false;      ///< rule 1
-  std::string explanation;  ///< a sentence: why the run has this label, or what it lacks for one
+  std::string explanation;  ///< a sentence: the reason for the label, or for its absence
 };
 
 /// \param samples in the order of time, so close that Q moves little from one to the next

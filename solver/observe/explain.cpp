@@ -43,7 +43,7 @@ std::string what_would_settle_it(const MotionFeatures& features) {
          ", the last " + count(features.of_last_kind, "half-turn") + " of one kind.";
 }
 
-/// What turns in this kind of motion.
+/// The part of the capsule that turns in this kind of motion.
 std::string what_turned(Motion motion) { return motion == Motion::tumbling ? "shape" : "membrane"; }
 
 /// Says that an earlier motion was of the other kind; empty if none was.

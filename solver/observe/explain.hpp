@@ -7,7 +7,7 @@
 
 namespace capstan {
 
-/// Why the run has this motion, or what it lacks for one.
+/// The reason for the motion, or for "undecided".
 std::string explanation(Motion motion, const MotionFeatures& features);
 
 /// The same for samples that have no features: the run was too short, or its positions are not finite.

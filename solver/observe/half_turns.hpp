@@ -1,7 +1,7 @@
 #pragma once
 // Half-turns of a capsule: in one of them the angles of shape and membrane together change by pi. The share
-// of the shape in that change is near 1 where the capsule tumbles and near 0 where it tank-treads. Turns are
-// positive clockwise, as the shear flow turns. All functions require at least one sample.
+// of the shape in that change is near 1 for tumbling and near 0 for tank-treading. Turns are positive
+// clockwise, as the shear flow turns. All functions require at least one sample.
 #include <optional>
 #include <vector>
 
@@ -22,12 +22,13 @@ double theta_range(Samples samples);     ///< largest minus smallest theta, radi
 /// The shortest part at the end that has this number of half-turns; nothing if the samples have fewer.
 std::optional<Samples> last_turns(Samples samples, double half_turns);
 
-/// The run cut into half-turns from its end, the last one first. Less than a half-turn is left over at the
-/// start.
+/// The run divided into half-turns, counted back from its end; the last one is first. The rest at the start,
+/// less than a half-turn, is not included.
 std::vector<Samples> half_turns_from_end(Samples samples);
 
-/// Number of half-turns at the end that are of the same kind as the last one; 0 if the last one is of neither
-/// kind. \param half_turns the last one first
+/// Number of consecutive half-turns at the end of the same kind as the last one; 0 if the last one is of
+/// neither kind.
+/// \param half_turns  the last one first
 int half_turns_of_last_kind(const std::vector<Samples>& half_turns);
 
 /// Smallest and largest share of the shape in one half-turn, over all half-turns that end at a sample.

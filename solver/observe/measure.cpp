@@ -1,4 +1,4 @@
-// How each observable is computed: one function a row of kObservables.
+// The computation of each observable: one function for each row of kObservables.
 #include "solver/observe/measure.hpp"
 
 #include <utility>

@@ -19,8 +19,9 @@ bool is_finite(const MotionSample& s) {
   return std::isfinite(s.D_xy) && std::isfinite(s.theta) && std::isfinite(s.psi);
 }
 
-/// The last half of a half-turn, if Q hardly moved in it; nothing otherwise. A capsule whose membrane has a
-/// preferred shape changes Q while the membrane turns that far, so it is not steady.
+/// The last half of a half-turn, if Q hardly moved in it; nothing otherwise. Half of a half-turn suffices to
+/// judge: with shape memory, where the shape depends on the orientation of the membrane, Q would have changed
+/// by then.
 std::optional<Samples> steady_part(Samples run) {
   constexpr double kHalfTurns = 0.5, kChange = 0.005;
   const auto part = last_turns(run, kHalfTurns);
@@ -29,8 +30,8 @@ std::optional<Samples> steady_part(Samples run) {
 
 /// Distance of Q to 0 that rule 4 requires: min(0.06, D_max / 2). In 96 boundary-integral runs of a biconcave
 /// capsule, each computed to kt = 90, every run that kept |Q| > 0.06 over two half-turns continued its kind
-/// of motion. A nearly spherical capsule has a small D_xy at all times; half of its largest value is required
-/// there.
+/// of motion. For a nearly spherical capsule, whose D_xy is small at all times, D_max / 2 is the smaller
+/// number.
 double required_distance(Samples samples) {
   constexpr double kClear = 0.06;
   return std::min(kClear, std::ranges::max_element(samples, {}, &MotionSample::D_xy)->D_xy / 2);

@@ -1,6 +1,6 @@
 #pragma once
-// The motion at a step of the run. A run is classified by these samples, which do not depend on what it
-// records.
+// The motion at a step of the run. A run is classified by these samples, so the label does not depend on the
+// intervals of records and shapes.
 #include <span>
 #include <vector>
 
@@ -16,7 +16,7 @@ struct MotionSample {
 using MotionSamples = std::vector<MotionSample>;
 using Samples = std::span<const MotionSample>;  ///< consecutive samples, in the order of time
 
-/// Shear time kt between two samples, at least.
+/// Minimum shear time kt between two samples.
 inline constexpr double kSampleInterval = 0.02;
 
 }  // namespace capstan

@@ -21,7 +21,7 @@ class MotionTracker {
   /// \param positions 3 x #V
   MotionSample observe(double kt, const Points& positions);
 
-  /// The same for a time soon after the last observation; the tracker stays as it is.
+  /// The same for a time soon after the last observation, without a change of the tracker.
   MotionSample look(double kt, const Points& positions) const {
     return MotionTracker(*this).observe(kt, positions);
   }

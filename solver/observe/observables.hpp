@@ -21,7 +21,7 @@ struct Observable {
   bool is_in_database = true;  ///< and in CSV and HTTP answers; otherwise in the run directory only
 };
 
-/// New rows go to the end: checkpoints identify an observable by its place.
+/// New rows go to the end: checkpoints identify an observable by its index.
 inline constexpr Observable kObservables[] = {
     {.name = "kt", .unit = "1", .description = "shear time"},
     {.name = "D_xy",
@@ -46,7 +46,7 @@ inline constexpr Observable kObservables[] = {
 };
 inline constexpr std::size_t kObservableCount = std::size(kObservables);
 
-/// A row of the table, by its name. A name that is not in the table does not compile.
+/// Index of a row of the table, from its name. A name that is not in the table does not compile.
 struct ObservableRow {
   std::size_t index = 0;
 

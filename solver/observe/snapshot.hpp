@@ -1,5 +1,5 @@
 #pragma once
-// What an observable can be computed from: the run at the time of one record.
+// The state of a run at the time of one record, from which the observables are computed.
 #include "solver/case/case.hpp"
 #include "solver/mesh/triangle_mesh.hpp"
 #include "solver/observe/motion_sample.hpp"

@@ -8,7 +8,7 @@ namespace capstan {
 namespace {
 
 constexpr double kInterval = 0.2;  // of kt; folds last longer
-constexpr double kNever = -1;      // in a checkpoint: there is no such time
+constexpr double kNever = -1;      // value in a checkpoint if there is no such time
 
 std::optional<double> time_from(double saved) {
   return saved == kNever ? std::nullopt : std::optional(saved);

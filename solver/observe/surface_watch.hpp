@@ -1,7 +1,7 @@
 #pragma once
-// Whether the mesh resolves the surface throughout a run. It does not once neighbouring triangles lie on each
-// other: they rarely separate again, and the motion is then an artefact of the mesh. Wrinkles that form and
-// vanish in every half-turn, and sharp tips, do not change the motion.
+// Whether the mesh resolves the surface throughout a run. It no longer does once neighbouring triangles lie
+// on each other: they rarely separate again, and from then on the motion is an artefact of the mesh. Wrinkles
+// that form and vanish in every half-turn, and sharp tips, do not change the motion.
 //
 // Measured on 140 runs with 162 to 2562 vertices: red cells (fig. 17) reach dihedral angles of 67 degrees for
 // a moment; wrinkling spheroids reach 88 to 119 degrees and have the same labels as on finer meshes; surfaces
@@ -20,8 +20,8 @@ inline constexpr double kLyingOnEachOther = 135;
 
 class SurfaceWatch {
  public:
-  /// Whether the surface should be examined at kt: every 0.2, because at every short step it would take 4 %
-  /// of a run.
+  /// Whether the surface should be examined at kt. It is examined at intervals of kt = 0.2: after each of
+  /// many short steps it would take 4 % of the time of a run.
   bool is_due(double kt) const { return kt >= next_kt_; }
   void add(double kt, const SurfaceQuality& quality);
 
@@ -34,7 +34,8 @@ class SurfaceWatch {
   /// The first kt at which the mesh did not resolve the surface.
   std::optional<double> lost_from() const { return lost_from_; }
 
-  /// 1 where no edge was folded, 0 where triangles lay on each other, linear in the worst angle between.
+  /// 1 if no edge was folded, 0 if triangles lay on each other; between these limits linear in the largest
+  /// dihedral angle.
   double clearance() const;
 
   /// "neighbouring triangles meet at angles of up to ..": the worst quality, as part of a sentence.
@@ -49,8 +50,8 @@ class SurfaceWatch {
   std::optional<double> folded_from_, lost_from_;
 };
 
-/// The verdict with the margin lowered in proportion to the clearance of the surface; without a label if the
-/// mesh did not resolve the surface.
+/// The verdict with the margin lowered in proportion to the clearance of the surface; undecided if the mesh
+/// did not resolve the surface.
 Verdict limited_by_surface(const Verdict& verdict, const SurfaceWatch& surface);
 
 }  // namespace capstan

@@ -1,6 +1,6 @@
 #pragma once
-// Checkpoints of a run: two files, written in turn. If one is damaged while it is written or later, the run
-// resumes from the other.
+// Checkpoints of a run: two files, written in turn. If one is damaged, during writing or later, the run
+// resumes from the other one.
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -11,13 +11,14 @@
 namespace capstan {
 
 /// Replaces the older (or unusable) one of checkpoint-a.h5 and checkpoint-b.h5, durably. Each entry of the
-/// archive is one array of the HDF5 file, written from where it stands in memory. Throws a std::runtime_error
-/// naming operation and file; both old files then stand.
+/// archive is one array of the HDF5 file, written without a copy in memory. Throws a std::runtime_error
+/// naming operation and file; then both old files are unchanged.
 void write_checkpoint(const std::filesystem::path& directory, const StateArchive& state,
                       const std::string& case_id);
 
 /// The newest checkpoint that is undamaged and belongs to this case, this numerics version and this format;
-/// none if there is no such file. Why a file was passed over goes to `on_passed_over`, one sentence a file.
+/// none if there is no such file. For each file that is not used, `on_passed_over` is called with a sentence
+/// that gives the reason.
 std::optional<StateArchive> read_newest_checkpoint(
     const std::filesystem::path& directory, const std::string& case_id,
     const std::function<void(const std::string&)>& on_passed_over = [](const std::string&) {});

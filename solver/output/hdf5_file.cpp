@@ -30,8 +30,8 @@ void prepare_library() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Without file locks, which some cluster file systems refuse. Readers see complete files only, so none are
-/// needed.
+/// File locks are switched off, because some cluster file systems do not support them. They are not needed:
+/// readers see complete files only.
 hid_t access_without_locks() {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_file_locking(access, false, true);

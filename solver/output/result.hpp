@@ -8,7 +8,8 @@
 
 namespace capstan {
 
-/// Case and chosen settings; motion and evidence; last record; cost; measures of accuracy.
+/// Contains the case and the chosen settings, the motion and its evidence, the last record, the cost, and
+/// measures of accuracy.
 /// \param seconds wall time of the run, summed over all its processes
 nlohmann::ordered_json result_json(const Case& c, const Choices& choices, const Simulation& simulation,
                                    const Outcome& outcome, double seconds);

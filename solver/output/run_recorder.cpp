@@ -37,7 +37,8 @@ void RunRecorder::resume(Simulation& simulation, const std::function<void(const 
   start_history(simulation.history());
 }
 
-/// The history of the checkpoint replaces the file, which may have later records of a killed process.
+/// Replaces the history file by the history of the checkpoint: the file may contain later records of a killed
+/// process.
 void RunRecorder::start_history(const History& history) {
   std::string lines;
   for (const Record& past : history) lines += to_json_line(past) + '\n';

@@ -27,8 +27,8 @@ class RunRecorder : public RunOutput {
   RunRecorder(std::filesystem::path directory, const Case& c, Choices choices,
               std::function<bool()> interrupted, SecondsClock clock = steady_seconds);
 
-  /// Restores the newest valid checkpoint, if there is one. Which checkpoint was used, and why one was not,
-  /// goes to `log`, one sentence a call.
+  /// Restores the newest valid checkpoint, if there is one. Calls `log` with one sentence for the checkpoint
+  /// that is used, and one for each that cannot be used.
   void resume(Simulation& simulation, const std::function<void(const std::string&)>& log);
 
   void record(const Record& record) override;
@@ -37,7 +37,8 @@ class RunRecorder : public RunOutput {
   void checkpoint(StateArchive state) override;
 
   /// After each outputs.checkpoint_every steps, if that is not 0; and when the time since the last checkpoint
-  /// is at least a tenth of the run's time so far (0.2 s to 30 s) and fifty times as long as writing it took.
+  /// is at least a tenth of the run's time so far (but 0.2 s to 30 s) and at least fifty times the time that
+  /// writing the last checkpoint took.
   bool is_checkpoint_due(long steps) override;
   bool interrupted() const override { return interrupted_(); }
 
@@ -61,8 +62,8 @@ class RunRecorder : public RunOutput {
   double started_;
   double seconds_before_ = 0;  ///< of the earlier processes of this run
   ShareOfTime checkpoints_, indices_;
-  double asked_ =
-      0;  ///< when is_checkpoint_due() was called: collecting the state is part of a checkpoint's cost
+  double asked_ = 0;  ///< seconds, at the last call of is_checkpoint_due(): the cost of a checkpoint includes
+                      ///< collecting the state
 };
 
 }  // namespace capstan

@@ -7,8 +7,8 @@ namespace capstan {
 class ShareOfTime {
  public:
   /// Whether the work may be done again.
-  /// \param now  seconds   \param interval  smallest time between the end of the work and its next start,
-  /// seconds
+  /// \param now       seconds
+  /// \param interval  minimum time between the end of the work and its next start, seconds
   bool is_due(double now, double interval) const {
     return now - done_ >= std::max(interval, kRestToWork * last_cost_);
   }

@@ -6,7 +6,7 @@
 namespace capstan {
 namespace {
 
-/// The shortest decimals that give the same double back.
+/// The shortest decimal form that reads back to the same double.
 std::string shown(double number) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};

@@ -1,5 +1,5 @@
 #pragma once
-// The index of the shapes for ParaView: which arrays of which HDF5 files are the membrane at which time.
+// The index of the shapes for ParaView: for each time, the HDF5 files and arrays that hold the membrane.
 //
 // XDMF version 2 (xdmf.org, "XDMF Model and Format"), in a file named *.xdmf2. ParaView 5.11 opens *.xdmf
 // with its reader for version 3, and *.xdmf2 with the one for version 2.
@@ -8,7 +8,7 @@
 
 namespace capstan {
 
-/// One time of the collection. The frame file holds positions, velocities, forces: #V x 3 doubles.
+/// The membrane at one time. The frame file holds positions, velocities and forces, each #V x 3 doubles.
 struct XdmfFrame {
   double kt;
   std::string file;  ///< relative to the index

@@ -1,8 +1,9 @@
 #pragma once
-// The first 512 bytes of a checkpoint: its writer, its place in the sequence, and the checksum of the file.
+// The first 512 bytes of a checkpoint: the program version that wrote it, the case, its number in the
+// sequence, and the checksum of the file.
 //
-// They are plain text in HDF5's user block (`head -n 6 checkpoint-a.h5` shows them). A damaged file is so
-// recognised before the HDF5 library parses it: the library crashes on some damaged files.
+// They are plain text in HDF5's user block (`head -n 6 checkpoint-a.h5` shows them). A damaged file is
+// recognised by them before the HDF5 library parses it, because the library crashes on some damaged files.
 #include <cstdint>
 #include <filesystem>
 #include <optional>

@@ -68,7 +68,7 @@ PendingFile::PendingFile(fs::path target) : target_(std::move(target)), temporar
 }
 
 PendingFile::~PendingFile() {
-  std::error_code ignored;  // publish() has renamed it
+  std::error_code ignored;  // there is no such file after publish()
   fs::remove(temporary_, ignored);
 }
 

@@ -12,9 +12,9 @@ namespace capstan {
 /// Extension of the temporary files.
 inline constexpr const char* kPartialExtension = ".partial";
 
-/// A file that is being written. Its owner fills and closes `temporary()`, then calls `publish()`; without
-/// that the target keeps its old content. The temporary's name is target + ".partial", always the same, so
-/// that the next writer overwrites what a killed one left. A target has one writer at a time.
+/// A file that is being written. The caller fills and closes `temporary()`, then calls `publish()`; without
+/// that the target keeps its old content. The name of the temporary file is always target + ".partial", so
+/// that the next writer overwrites the file that a killed writer left. A target has one writer at a time.
 class PendingFile {
  public:
   explicit PendingFile(std::filesystem::path target);
@@ -27,7 +27,8 @@ class PendingFile {
   /// Replaces the target durably. Throws std::filesystem::filesystem_error naming the operation and the file.
   void publish();
 
-  /// Replaces the target without waiting for the disk: atomic under a kill, but not under a power failure.
+  /// Replaces the target without waiting for the disk: safe if the process is killed, but not in a power
+  /// failure.
   void replace();
 
  private:

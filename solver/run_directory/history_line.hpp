@@ -15,8 +15,8 @@ enum class Missing { null, left_out };
 /// that read back to the same bits. An infinite number becomes null, because JSON has none.
 std::string to_json_line(const Record& record, Missing missing = Missing::null);
 
-/// Nothing if the line is not a JSON object, as the last line of a killed process may be. Keys that the table
-/// lacks are ignored; a value that is absent or not a number is NaN.
+/// Nothing if the line is not a JSON object, as the last line of a killed process may be. Keys that are not
+/// in the table are ignored; a value that is absent or not a number is NaN.
 std::optional<Record> parse_record(std::string_view line);
 
 }  // namespace capstan

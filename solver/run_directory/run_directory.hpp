@@ -1,5 +1,5 @@
 #pragma once
-// The directory of one run: the names of its files (schema/run_directory.md), and what the daemon does with
+// The directory of one run: the names of its files (schema/run_directory.md), and the daemon's operations on
 // them.
 //
 // `capstan solve` writes the files; the daemon, `capstan doctor` and the tests read them. All of them take

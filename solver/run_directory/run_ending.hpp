@@ -1,5 +1,6 @@
 #pragma once
-// How a run ended: the same five words in the worker's exit status, the daemon, the database and the API.
+// The five ways in which a run can end, with the same words in the worker's exit status, the daemon, the
+// database and the API.
 #include <array>
 #include <optional>
 #include <string_view>
@@ -7,11 +8,11 @@
 namespace capstan {
 
 enum class RunEnding {
-  done,         ///< there is an answer
-  failed,       ///< no answer: the solver refused the case, or the run exceeded a limit
+  done,         ///< the run has a result
+  failed,       ///< no result: the solver refused the case, or the run exceeded a limit
   diverged,     ///< numerical failure: the same run again would fail again
   interrupted,  ///< stopped before its end; the next attempt resumes from the checkpoint
-  crashed,      ///< the process died by itself
+  crashed,      ///< the process ended abnormally
 };
 
 inline constexpr std::array kRunEndings = {RunEnding::done, RunEnding::failed, RunEnding::diverged,

@@ -33,7 +33,7 @@ constexpr std::optional<Stop> parse_stop(std::string_view word) {
   return found == kStops.end() ? std::nullopt : std::optional(*found);
 }
 
-/// Whether the run has a motion: it was computed as far as its case asks.
+/// Whether the run was computed as far as its case requires, so that it has a motion.
 constexpr bool has_answer(Stop stop) {
   return stop == Stop::reached_end || stop == Stop::classified || stop == Stop::steady;
 }

@@ -17,7 +17,8 @@ inline sigset_t stop_signals() {
 }
 
 /// Called by a run once it has installed its handlers. The daemon starts a run with these signals blocked, so
-/// that none ends it before it can write a checkpoint; a signal that came meanwhile is delivered now.
+/// that none of them ends the run before it can write a checkpoint. A signal that arrived while they were
+/// blocked is delivered now.
 inline void unblock_stop_signals() {
   const sigset_t signals = stop_signals();
   sigprocmask(SIG_UNBLOCK, &signals, nullptr);

@@ -8,7 +8,7 @@
 
 namespace capstan {
 
-/// Observables of checkpoints that do not say how many they have.
+/// Number of observables in old checkpoints, which do not store this number.
 inline constexpr std::size_t kFirstObservableCount = 8;
 
 inline void put_history(StateArchive& archive, const History& history) {
@@ -19,7 +19,7 @@ inline void put_history(StateArchive& archive, const History& history) {
   if (kObservableCount != kFirstObservableCount) archive.put("history_columns", double(kObservableCount));
 }
 
-/// An observable that the checkpoint lacks, because a program without it wrote the file, is NaN.
+/// An observable that is missing in the checkpoint, because an older program wrote the file, is NaN.
 inline History get_history(const StateArchive& archive) {
   const auto numbers = archive.get("history");
   const std::size_t columns = archive.contains("history_columns")

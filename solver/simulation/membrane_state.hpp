@@ -10,9 +10,10 @@ struct MembraneState {
   Points forces;                 ///< 3 x #V, by the membrane on the fluid
 };
 
-/// The membrane between two steps, a.kt <= kt <= b.kt. Positions: the cubic in time with the positions and
-/// velocities of both (Hermite interpolation). Velocities: its derivative. Forces: linear in time. The error
-/// of the positions, at most step^4 / 384 times their fourth derivative, is smaller than that of the steps.
+/// The membrane between two steps, a.kt <= kt <= b.kt. Positions: the cubic in time that has the positions
+/// and velocities of both states (Hermite interpolation). Velocities: the derivative of this cubic. Forces:
+/// linear in time. The error of the positions, at most step^4 / 384 times their fourth derivative, is smaller
+/// than that of the steps.
 inline MembraneState between(const MembraneState& a, const MembraneState& b, double kt) {
   const double step = b.kt - a.kt, s = (kt - a.kt) / step;
   const double blend = s * s * (3 - 2 * s), slope = 6 * s * (1 - s) / step;

@@ -13,7 +13,7 @@ class OutputTimes {
 
   long last() const { return last_; }  ///< number of the last time; the start has number 0
 
-  /// The time of this number, in the decimals that a user would write: 3 times 0.1 is 0.3, not
+  /// The time with this number, rounded to 15 significant digits: 3 times 0.1 is 0.3, not
   /// 0.30000000000000004. The rounding error of the product is less than half a unit of the fifteenth digit.
   double operator[](long number) const {
     if (number >= last_) return end_;

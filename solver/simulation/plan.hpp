@@ -1,5 +1,5 @@
 #pragma once
-// Which parts of the physics a case requires, and the numerical models for them.
+// The numerical models of a case: symmetry, flow model and time stepper, and the physics that they omit.
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,8 +12,10 @@
 
 namespace capstan {
 
-/// The symmetry of the start that the whole run keeps to the last bit, because flow model and membrane use
-/// it. None where the case excludes it. \param initial 3 x #V, the positions at the start
+/// The symmetry of the initial shape. The run keeps it exactly, because flow model and membrane compute one
+/// vertex of each orbit and copy the result to its images. Without symmetry if the case switches it off or
+/// the flow model cannot use it.
+/// \param initial  3 x #V, the positions at the start
 Orbits symmetry_of(const Case& c, const Points& initial);
 
 /// The flow model of the case.

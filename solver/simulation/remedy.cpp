@@ -21,7 +21,8 @@ std::string advice_on_fluid(const Case& c) {
          " the quasi-steady flow leaves out what matters: take the fluid transient.";
 }
 
-/// Whether the time step is too long for the explicit method, by the estimated decay rate of the membrane.
+/// Whether the time step is too long for the explicit method, judged by the estimated decay rate of the
+/// membrane.
 bool is_unstable(const Case& c) {
   return c.fluid != Fluid::transient && c.fidelity.kdt * fastest_decay(c) > 0.5;
 }
@@ -39,7 +40,7 @@ std::string advice_on_time_step(const Case& c) {
 
 std::string advice_on_folds(const Case& c, const SurfaceQuality& surface) {
   if (!(surface.largest_dihedral > kFolded)) return "";
-  constexpr double kEnough = 0.005;  // keeps most capsules smooth
+  constexpr double kEnough = 0.005;  // with this bending stiffness most capsules stay smooth
   const std::string remedy = c.E_b < kEnough ? "raise E_b to " + rounded(kEnough)
                                              : "raise E_b to " + rounded(3 * c.E_b) + ", or take more nodes";
   return "The membrane has folded (" + rounded(std::round(surface.largest_dihedral)) +

@@ -13,7 +13,7 @@ bool is_lost(const SurfaceQuality& surface);
 
 /// Sentences that name likely causes of a failure and what to change in the case; empty if there is none.
 /// \param surface    at the time of the failure
-/// \param of_motion  the positions of the membrane are wrong, so the time step may be too long
+/// \param of_motion  whether the positions of the membrane became wrong: then the time step may be too long
 std::string remedy(const Case& c, const SurfaceQuality& surface, bool of_motion);
 
 /// "the volume has drifted by 11 %", or a sentence for a drift that is huge or not finite.

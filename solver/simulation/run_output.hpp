@@ -1,5 +1,6 @@
 #pragma once
-// The receiver of what a simulation computes; it also requests checkpoints and interruptions.
+// Interface for the output of a simulation: records, shapes and checkpoints. It also decides when the
+// simulation writes a checkpoint or is interrupted.
 #include "solver/mesh/triangle_mesh.hpp"
 #include "solver/observe/observables.hpp"
 #include "solver/state/state_archive.hpp"
@@ -17,7 +18,8 @@ class RunOutput {
                      const Points& forces) = 0;
   /// The state from which the run can be continued. Its views point into the simulation.
   virtual void checkpoint(StateArchive state) = 0;
-  /// Called after each step. \param steps  since the start of the run
+  /// Called after each step.
+  /// \param steps  since the start of the run
   virtual bool is_checkpoint_due(long steps) = 0;
   /// Whether the run should stop here with a checkpoint. Called after each step.
   virtual bool interrupted() const = 0;

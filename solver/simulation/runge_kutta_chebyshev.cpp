@@ -8,8 +8,8 @@
 namespace capstan {
 namespace {
 
-constexpr double kDamping = 2. / 13;  // epsilon: stable modes are damped by up to a third in each step
-constexpr double kSafety = 1.2;       // the power iteration converges to the spectral radius from below
+constexpr double kDamping = 2. / 13;  // epsilon: a step multiplies fast modes by factors of 1/3 to 0.95
+constexpr double kSafety = 1.2;       // the power iteration underestimates the spectral radius
 constexpr int kStepsAnEstimate = 15;
 constexpr int kMaxStages = 200;
 constexpr double kMinStep = 1e-6;
@@ -88,14 +88,15 @@ StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, d
     }
     ++refusals;
     step_ = step * factor;
-    spectral_radius_ = 0;  // an underestimate is the likely cause: estimate it again
+    spectral_radius_ = 0;  // an underestimated radius is the likely cause of the error: estimate it again
   } while (step_ >= kMinStep);
   if (report_.converged) report_ = lost_flow("no time step is small enough for the membrane's motion");
   return {.kt = kt, .flow = report_, .refusals = refusals};
 }
 
-/// The longest step that error and stability allow. The last two steps before the end are equal, so that none
-/// is much shorter than the others. \param left  kt to the end of the run
+/// The longest step that error and stability allow. The last two steps of the run have equal length, so that
+/// the last one is not much shorter than the others.
+/// \param left  kt to the end of the run
 double RungeKuttaChebyshev::next_step(double left) const {
   const double longest =
       std::min({step_, options_.largest_step, kMaxStages * kMaxStages / (1.6 * spectral_radius_)});
@@ -130,8 +131,8 @@ RungeKuttaChebyshev::Trial RungeKuttaChebyshev::attempt(double kt, double step, 
 // the mode of the last estimate.
 void RungeKuttaChebyshev::estimate_spectral_radius(double kt, const Points& positions,
                                                    const Points& velocities) {
-  constexpr double kDisplacement =
-      1e-4;  // rms / a: far above the flow's rounding error, far below an edge length
+  constexpr double kDisplacement = 1e-4;  // root mean square displacement / a: far above the rounding error
+                                          // of the flow, far below an edge length
   constexpr int kMaxIterations = 50;
   constexpr double kEnough = 0.02;  // relative change from one iteration to the next
   if (stiffest_.size() == 0) stiffest_ = velocities;
@@ -149,8 +150,9 @@ void RungeKuttaChebyshev::estimate_spectral_radius(double kt, const Points& posi
   steps_since_estimate_ = 0;
 }
 
-/// A membrane whose triangles collapse becomes ever stiffer. At a spectral radius of 1e6 a unit of kt takes
-/// thousands of flow solutions. A membrane that is that stiff at its start is computed.
+/// Whether the run should stop because the membrane has become too stiff. Collapsing triangles make it
+/// stiffer without limit, and at a spectral radius of 1e6 a unit of kt takes thousands of flow solutions. A
+/// membrane that is that stiff from the start on does not stop the run.
 bool RungeKuttaChebyshev::has_stiffened_too_much() const {
   constexpr double kGrowth = 1e4, kRadius = 1e6;
   return spectral_radius_ > std::max(kRadius, kGrowth * first_radius_);

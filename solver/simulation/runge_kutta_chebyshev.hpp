@@ -25,7 +25,7 @@ class RungeKuttaChebyshev : public TimeStepper {
   double spectral_radius() const { return spectral_radius_; }
 
  private:
-  /// A step before its error is accepted.
+  /// The result of a step whose error has not been accepted yet.
   struct Trial {
     Points end, end_velocities;
     double error = 0;  ///< in units of the tolerance; not finite if a flow solution failed
@@ -38,10 +38,10 @@ class RungeKuttaChebyshev : public TimeStepper {
 
   Options options_;
   const VelocityField* field_ = nullptr;  ///< during advance
-  FlowReport report_;                     ///< of all flow solutions of this step
-  double step_ = 0;                       ///< k dt, the next to be tried; 0 at the start of the run
-  double spectral_radius_ = 0;            ///< of dU/dX, estimated; 0: not known
-  double first_radius_ = 0;               ///< the first estimate of the run
+  FlowReport report_;           ///< iterations of all flow solutions of this step, error of the last one
+  double step_ = 0;             ///< k dt, length of the next step to be tried; 0 at the start of the run
+  double spectral_radius_ = 0;  ///< of dU/dX, estimated; 0: not known
+  double first_radius_ = 0;     ///< the first estimate of the run
   int steps_since_estimate_ = 0;
   Points stiffest_;  ///< 3 x #V, last estimate of the fastest decaying mode
 };

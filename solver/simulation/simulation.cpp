@@ -37,7 +37,8 @@ Outcome Simulation::run(RunOutput& output) {
   return *breakdown;
 }
 
-/// A flow model that imposes its time step has steps of one length: the last one passes the end of the run.
+/// If the flow model imposes the time step, all steps have equal length, and the last one ends after the end
+/// of the run.
 std::optional<Outcome> Simulation::step() {
   const VelocityField field = [this](double at, const Points& x, Points& u) { return solve_flow(at, x, u); };
   const double end = flow_->imposed_time_step() ? std::numeric_limits<double>::infinity() : case_.until.kt;
@@ -60,7 +61,8 @@ std::optional<Outcome> Simulation::solve_flow_now() {
   return std::nullopt;
 }
 
-/// A stepper may end with the flow that the next step starts with: it is not computed twice.
+/// If the positions are those of the last flow solution, it is reused: a step of some steppers ends with the
+/// solution with which the next step starts.
 FlowReport Simulation::solve_flow(double at, const Points& positions, Points& velocities) {
   if (positions == solved_.positions) {
     velocities = solved_.velocities;
@@ -101,9 +103,9 @@ std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
   return std::nullopt;
 }
 
-/// Stops runs that make no progress. Where the mesh does not resolve the surface, rejected steps shrink
-/// without limit and each flow costs more than the last. Elsewhere a run with hundreds of rejected steps in
-/// one unit of kt would not end in reasonable time.
+/// Stops runs that make no progress. If the mesh does not resolve the surface, steps are rejected and
+/// shortened without limit, and the cost of a flow solution grows. On a resolved surface, a run with hundreds
+/// of rejected steps in one unit of kt would not end in reasonable time.
 std::optional<Outcome> Simulation::refusal(const StepReport& step) {
   constexpr int kMaxOnLostSurface = 20;
   constexpr double kMaxRecent = 100;  // stiff membranes that reach the end of the run have up to 40
@@ -113,7 +115,7 @@ std::optional<Outcome> Simulation::refusal(const StepReport& step) {
   return stopped(Stop::diverged, "the steps become ever shorter");
 }
 
-/// \param what  went wrong; the time and what the user can change are added to it
+/// \param what  the failure in words; the time and advice to the user are added to it
 Outcome Simulation::stopped(Stop stop, const std::string& what) const {
   std::ostringstream text;
   text << "at kt = " << now_.kt << ": " << what;
@@ -123,7 +125,7 @@ Outcome Simulation::stopped(Stop stop, const std::string& what) const {
   return {stop, text.str()};
 }
 
-/// An estimated error below the rounding error of the flow model is replaced by the latter.
+/// Adds a flow solution to the statistics. Its error is at least the rounding error of the flow model.
 void Simulation::count(const FlowReport& flow) {
   const double error = std::max(flow.error, flow_rounding(case_));
   iterations_since_record_ += flow.iterations;
@@ -132,7 +134,7 @@ void Simulation::count(const FlowReport& flow) {
   statistics_.worst_flow_error = std::max(statistics_.worst_flow_error, error);
 }
 
-/// A record and a shape of the last valid state, if there is one, and a shape of the invalid one.
+/// Writes a record and a shape of the last valid state, if there is one, and a shape of the invalid state.
 void Simulation::write_breakdown(RunOutput& output) {
   if (!history_.empty()) {
     if (history_.back()["kt"] < before_.kt) record(before_, output);
@@ -149,7 +151,7 @@ void Simulation::write_shape(const MembraneState& state, RunOutput& output) {
   output.shape(state.kt, frames_++, state.positions, state.velocities, state.forces);
 }
 
-/// The records and shapes whose times lie between the last two steps, and a sample of the motion.
+/// Writes the records and shapes whose times were passed by the last step, and adds a sample of the motion.
 void Simulation::write_due_output(RunOutput& output) {
   for (long n = long(history_.size()); n <= record_times_.last() && is_reached(record_times_[n]); ++n)
     record(state_at(record_times_[n]), output);  // eqs. 5, 44
@@ -196,8 +198,9 @@ void Simulation::sample_motion() {
 
 Verdict Simulation::verdict() const { return limited_by_surface(classify(samples_), surface_); }
 
-/// Whether the run has reached its end, or may end early because its label is certain. The latter is tested
-/// when kt has grown by 1 %, because classifying takes time in proportion to the length of the run.
+/// Whether the run has reached its end, or may end early because its label is certain. The label is tested
+/// only after each growth of kt by 1 %, because the time of a classification is proportional to the length of
+/// the run.
 std::optional<Outcome> Simulation::finished(RunOutput& output) {
   if (now_.kt >= case_.until.kt) return Outcome{Stop::reached_end};
   const auto hundredths = [](double kt) { return std::floor(std::log(kt) / 0.01); };

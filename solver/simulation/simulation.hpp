@@ -32,7 +32,7 @@ struct Outcome {
 struct RunStatistics {
   long steps = 0;  ///< of the membrane
   long flow_iterations = 0;
-  double worst_flow_error = 0;  ///< largest estimated relative error of a flow solution
+  double worst_flow_error = 0;  ///< largest estimated relative error of the flow at the ends of the steps
   double volume_drift = 0;      ///< largest |V/V(0) - 1| of the samples
   double area_drift = 0;        ///< largest |A/A(0) - 1| of the samples
 };
@@ -42,7 +42,7 @@ class Simulation {
   explicit Simulation(const Case& c);
 
   /// Runs the paper's algorithm until the case ends or `output` requests an interruption. The time steps do
-  /// not depend on the times of records and shapes: those between two steps are interpolated. A run that
+  /// not depend on the times of records and shapes: a state between two steps is interpolated. A run that
   /// breaks down writes its last valid state and the invalid one.
   Outcome run(RunOutput& output);
 
@@ -60,7 +60,7 @@ class Simulation {
   const RunStatistics& statistics() const { return statistics_; }
 
  private:
-  // Each returns an outcome where the run stops, nothing where it goes on.
+  // Each of these returns an outcome if the run stops, and nothing if it continues.
   std::optional<Outcome> step();
   std::optional<Outcome> solve_flow_now();
   FlowReport solve_flow(double at, const Points& positions, Points& velocities);
@@ -81,9 +81,9 @@ class Simulation {
 
   Case case_;
   Icosphere sphere_;
-  Points reference_;      ///< 3 x #V, the stress-free shape: that of the start
+  Points reference_;      ///< 3 x #V, the stress-free shape, which is the initial shape
   MembraneState now_;     ///< at the end of the last step
-  MembraneState before_;  ///< at its start
+  MembraneState before_;  ///< at the start of the last step
   MembraneState solved_;  ///< of the last flow solution; all positions are 0 before the first
   Orbits orbits_;
   Membrane membrane_;

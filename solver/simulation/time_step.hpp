@@ -12,8 +12,9 @@ namespace capstan {
 using VelocityField = std::function<FlowReport(double kt, const Points& positions, Points& velocities)>;
 
 struct StepReport {
-  double kt;         ///< at the end of the step
-  FlowReport flow;   ///< of all flow solutions of the step; not converged if no step was made
+  double kt;        ///< at the end of the step
+  FlowReport flow;  ///< iterations of all flow solutions of the step; error of the last one; not converged if
+                    ///< no step was made
   int refusals = 0;  ///< attempts that were rejected because their error was too large
 };
 

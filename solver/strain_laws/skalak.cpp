@@ -34,8 +34,8 @@ Principal derivatives(const Principal& stretches, const LawConstants& constants)
   return dW;
 }
 
-/// The compressive tension grows down to a stretch of 1/sqrt(3) and decreases below it. Only the area term,
-/// with C, resists further compression.
+/// Under uniaxial compression with C = 0 the tension has its largest magnitude at the stretch 1/sqrt(3) and
+/// becomes weaker at smaller stretches. Only the area term, with C, resists further compression.
 std::string advice_on_collapse(const LawConstants& constants) {
   constexpr double kMinStableC = 0.5;
   const double C = constants[0];

@@ -9,7 +9,7 @@
 namespace capstan {
 
 /// #F x 2, one row a face: the principal stretches lambda1, lambda2 (deformed over undeformed length, > 0),
-/// or two quantities that belong to them.
+/// or one quantity for each of them.
 using Principal = Eigen::ArrayX2d;
 
 /// Values of a law's constants, in the order of StrainLaw::constants.
@@ -31,10 +31,11 @@ struct SmallStrainModuli {
 /// A hyperelastic, isotropic law per unit of the surface modulus E_s. Functions take all faces at once.
 struct StrainLaw {
   std::string_view name;               ///< in case files, e.g. "skalak"
-  std::string_view modulus;            ///< which modulus E_s is, e.g. "E_s = 2 G"
+  std::string_view modulus;            ///< definition of E_s by the shear modulus G, e.g. "E_s = 2 G"
   std::vector<LawConstant> constants;  ///< those that a case must give; none for many laws
 
-  /// The membrane becomes stiffer as it is stretched, so that no shear flow draws it out far.
+  /// Whether the membrane becomes stiffer as it is stretched, so that its deformation stays limited in any
+  /// shear flow.
   bool is_strain_hardening = false;
 
   SmallStrainModuli (*moduli)(const LawConstants& constants);

@@ -5,7 +5,7 @@
 namespace capstan {
 namespace {
 
-/// -rate / |M_k|^2 for each relaxed moment k: the factors of d_k below, save those of the stress.
+/// -s_k / |M_k|^2 for each relaxed moment k except the stress: the factors in d_k below.
 template <class Real>
 struct Factors {
   Factors(const MrtRates& r, double products_of_momentum)
@@ -54,7 +54,7 @@ template <class Real>
   const Real y_in_yz = byz + cyz, z_in_yz = byz - cyz;
   const Real bx = x_in_xy + x_in_xz, by = y_in_xy + y_in_yz, bz = z_in_xz + z_in_yz;
 
-  // eq. 18: the equilibrium sees half of the force
+  // eq. 18: the velocity in the equilibrium includes half of the force
   const Real rho = f[0] + axes + diagonals;
   const Real Fx = c.force[0][i], Fy = c.force[1][i], Fz = c.force[2][i];
   const Real ux = ax + bx + kHalf * Fx, uy = ay + by + kHalf * Fy, uz = az + bz + kHalf * Fz;
@@ -63,7 +63,7 @@ template <class Real>
   const Real uu = uxx + uyy + uzz;
   const Real p3xx_eq = 3 * uxx - uu, pww_eq = uyy - uzz;
 
-  // even moments; e - e_eq = 19 (diagonals - f0 - uu), and |M_e|^2 = 19 * 126
+  // even moments; e - e_eq = 19 (diagonals - f_0 - inertia u^2), and |M_e|^2 = 19 * 126
   const Real axes_xx = 2 * sx - sy_sz, diagonals_xx = dxy_dxz - 2 * dyz;
   const Real axes_ww = sy - sz, diagonals_ww = dxy - dxz;
   const Real s_nu = c.s_nu[i];
@@ -78,7 +78,7 @@ template <class Real>
   const Real d_pxz = s_xy * (pxz - nxz - jx * uz);
   const Real d_pyz = s_xy * (pyz - nyz - jy * uz);
 
-  // odd moments; eqs. 18 and 19: the momentum takes the whole force
+  // odd moments; eqs. 18 and 19: the collision adds the whole force to the momentum
   const Real d_qx = r.q * (bx - 4 * ax + kTwoThirds * ux);
   const Real d_qy = r.q * (by - 4 * ay + kTwoThirds * uy);
   const Real d_qz = r.q * (bz - 4 * az + kTwoThirds * uz);
@@ -121,9 +121,9 @@ template <class Real>
   c.f_star[16][i] = f[16] + (yz_n - (yz_y - yz_z));
 }
 
-// Prefetches explicitly, eight cache lines ahead: there are more arrays than the hardware prefetcher follows,
-// and a cell takes so many instructions that out-of-order execution reaches only one or two vectors of cells
-// ahead.
+// Prefetches explicitly, eight cache lines ahead: there are more arrays than the hardware prefetcher can
+// track, and a cell takes so many instructions that out-of-order execution starts the loads of only the next
+// one or two vectors of cells.
 template <class Real>
 [[gnu::always_inline]] inline void collide_row(const CollisionRow<Real>& row, const Factors<Real>& factors) {
   constexpr std::size_t kLine = 64 / sizeof(Real), kAhead = 8 * kLine;

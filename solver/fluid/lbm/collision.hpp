@@ -33,8 +33,8 @@ inline double stress_rate(double nu_lu) { return 1 / (3 * nu_lu + 0.5); }
 
 /// One row of cells to collide: pointers to arrays of `count` cells each.
 ///
-/// The arrays f_star may be the arrays f, in any order: all populations of a cell are read before the first
-/// is written.
+/// The arrays f_star may be the same memory as the arrays f, in any order: all populations of a cell are read
+/// before the first one is written.
 template <class Real>
 struct CollisionRow {
   const Real* f[d3q19::kQ];  ///< populations before
@@ -45,9 +45,9 @@ struct CollisionRow {
 };
 
 /// f* = f - M^-1 S (M f - m_eq) with force (paper eqs. 13, 18, 19).
-/// \param inertia  factor of the products of momenta in m_eq: 1, or 0 for Stokes flow. Coarse multigrid
-/// levels have the same
-///                 lattice velocities on a larger spacing; 2^level keeps their Reynolds number.
+/// \param inertia  factor of the products of momenta in m_eq: 1, or 0 for Stokes flow. On a coarse multigrid
+///                 level the lattice velocities and the lattice viscosity are the same, but the spacing is
+///                 2^level times larger. The factor 2^level keeps the Reynolds number.
 void collide(const CollisionRow<double>& row, const MrtRates& rates, double inertia);
 void collide(const CollisionRow<float>& row, const MrtRates& rates, double inertia);
 

@@ -20,7 +20,7 @@ inline constexpr std::array<Direction, kQ> e = {{
     {0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1}}};
 // clang-format on
 
-/// Weights of the rest equilibrium: 1/3, 1/18 (axes), 1/36 (diagonals).
+/// Weights of the equilibrium at rest: 1/3, 1/18 (axes), 1/36 (diagonals).
 inline constexpr double weight(int q) { return q == 0 ? 1.0 / 3 : q <= 6 ? 1.0 / 18 : 1.0 / 36; }
 
 /// Component c (0, 1, 2 for x, y, z) of the direction q.

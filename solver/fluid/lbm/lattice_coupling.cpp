@@ -5,7 +5,7 @@
 namespace capstan {
 namespace {
 
-/// Walls are half a cell outside of the centres of the outermost cells.
+/// The walls are half a spacing outside of the centres of the outermost cells.
 GridGeometry geometry(const LatticeOptions& options) {
   return {Vec3::Constant(-0.5 * (options.box - options.units.dx)), options.units.dx};
 }

@@ -26,8 +26,9 @@ class LatticeCoupling {
   LatticeCoupling(const TriangleMesh& mesh, const LatticeOptions& options);
 
   /// Computes forces and viscosities in the cells around the membrane. Returns false if a position is not
-  /// finite or too close to the boundary of the domain. \param positions 3 x #V   \param forces 3 x #V, by
-  /// the membrane on the fluid, units mu_a k a^2
+  /// finite or too close to the boundary of the domain.
+  /// \param positions  3 x #V
+  /// \param forces     3 x #V, by the membrane on the fluid, units mu_a k a^2
   bool place_membrane(const Points& positions, const Points& forces);
 
   /// Lattice units.

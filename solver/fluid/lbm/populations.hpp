@@ -1,5 +1,5 @@
 #pragma once
-// Populations of a given flow, and the flow that populations represent.
+// Populations of Couette flow, momentum exchanged with a moving wall, and momentum of populations.
 #include <algorithm>
 #include <array>
 
@@ -12,15 +12,16 @@ template <class Real>
 using PopulationRow = std::array<Real*, d3q19::kQ>;
 
 /// Population q of the flow u_x = shear * y with its viscous stress (Chapman-Enskog expansion, rho c_s^2 =
-/// 1/3). \param s_nu  relaxation rate of the stress
+/// 1/3).
+/// \param s_nu  relaxation rate of the stress
 inline double couette_population(int q, double shear, double y, double s_nu) {
   const double pxy = -shear / (3 * s_nu);
   return 3 * d3q19::weight(q) * d3q19::e[q].x * shear * y + d3q19::moment_row(d3q19::m_pxy, q) / 4.0 * pxy;
 }
 
-/// What a moving wall adds to population q, which leaves it after half-way bounce-back: 6 w_q e_q . u_wall.
-/// Walls are normal to y and move along x. \param wall_speed  of the upper wall, along x; the lower wall
-/// moves the other way
+/// Momentum 6 w_q e_q . u_wall that a moving wall adds to the population q that leaves it (half-way
+/// bounce-back). The walls are normal to y and move along x.
+/// \param wall_speed  of the upper wall, along x; the lower wall moves the other way
 inline double momentum_from_wall(int q, double wall_speed) {
   const bool is_from_upper = d3q19::e[q].y < 0;
   return 6 * d3q19::weight(q) * d3q19::e[q].x * (is_from_upper ? wall_speed : -wall_speed);

@@ -48,8 +48,8 @@ void PaperFlow::put_viscosity(ScalarField nu_lu) {
   }
 }
 
-// Eq. 26: the change of the velocity by a cycle. The error is larger, the more so the slower the cycles
-// converge.
+// The error is estimated by the change of the velocity in a cycle (eq. 26). The true error is larger than
+// this change if the cycles converge slowly.
 FlowReport PaperFlow::cycle_until_converged(Points& velocities) {
   constexpr int kMaxCycles = 400;
   constexpr CycleShape kWCycle{.pre = 1, .post = 1, .visits = 2, .coarsest = 10};

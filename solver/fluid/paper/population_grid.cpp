@@ -28,7 +28,7 @@ struct PopulationGrid::RowBuffer {
 
   int length, stride;
   std::vector<double> star, force;
-  bool force_is_zero = true;  ///< then a row without a force need not clear it again
+  bool force_is_zero = true;  ///< whether the force in the buffer is zero, so that it need not be cleared
 };
 
 namespace {
@@ -37,7 +37,8 @@ constexpr SideRules kSides{{{{SideRule::periodic, SideRule::periodic},
                              {SideRule::wall, SideRule::wall},
                              {SideRule::periodic, SideRule::periodic}}}};
 
-/// Behind a wall every population is that of the opposite direction: density is even, momentum is odd.
+/// The image of a population behind a wall is the population of the opposite direction: density is even and
+/// momentum is odd across the wall.
 constexpr auto kOppositePopulations = [] {
   std::array<ImageComponent, kQ> image{};
   for (int q = 0; q < kQ; ++q) image[q] = {opposite[q], 1};
@@ -75,8 +76,9 @@ PopulationGrid::PopulationGrid(const IndexBox& box, const PopulationGridSettings
   assert(box == box_from_zero(box.hi));
 }
 
-// next_ = keep f + blend (S(f) + D). Every row is collided once and streamed to the up to nine rows around
-// it; a ghost row of z streams inwards only. Each population of each cell is written once, by one thread.
+// next_ = keep f + blend (S(f) + D). Every row is collided once and streamed to itself and to the rows around
+// it, nine in the interior; a ghost row of z streams into the domain only. Each population of each cell is
+// written once, by one thread.
 void PopulationGrid::sweep(double keep, double blend) {
   fill_ghosts(f_, kSides, kPopulationImages);
   const int nx = box().size(0), ny = box().size(1), nz = box().size(2);
@@ -105,8 +107,8 @@ void PopulationGrid::collide_row(int y, int z, RowBuffer& row) const {
   collide(cells, settings_.rates, settings_.inertia);
 }
 
-/// Writes the force on a row into the buffer. Ghosts at its ends, and ghost rows of z, have the force of the
-/// cells at the other end.
+/// Writes the force on a row into the buffer. Ghosts at its ends and ghost rows of z have the force of the
+/// cells of which they are periodic images.
 void PopulationGrid::gather_force(int y, int z, RowBuffer& row) const {
   const auto [nx, ny, nz] = box().hi;
   const int image_z = periodic(z, nz);
@@ -136,8 +138,8 @@ void PopulationGrid::stream_row(int y, int z, const RowBuffer& row, double keep,
   }
 }
 
-/// Half-way bounce-back: a population that would cross the wall returns to its cell reversed, with the
-/// momentum of the wall.
+/// Half-way bounce-back: a population that would cross the wall returns to its cell in the opposite
+/// direction, with the momentum of the wall added.
 void PopulationGrid::bounce_back(int q, int y, int z, const RowBuffer& row, double keep, double blend) {
   const int back = opposite[q], nx = box().hi[0];
   double* out = next_.row(back, y, z);

@@ -3,8 +3,8 @@
 // y, periodic in x and z.
 //
 // The grid's equation is f - S(f) = D, where S is one collision and streaming step (paper eq. 13) and D is
-// zero on the finest grid; see full_approximation.hpp. Walls are half-way bounce-back, half a cell outside of
-// the box.
+// zero on the finest grid; see full_approximation.hpp. The walls are at the faces of the box, half a cell
+// outside of the outermost cell centres, by half-way bounce-back.
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,7 +32,7 @@ class PopulationGrid {
   /// f <- S(f): one time step of the transient method.
   void step() { sweep(0, 1), std::swap(f_, next_); }
 
-  // A FasLevel:
+  // The operations of a FasLevel (full_approximation.hpp):
   void relax() { sweep(1 - settings_.gamma, settings_.gamma), std::swap(f_, next_); }
   void restrict_to(PopulationGrid& coarse);
   void correct_from(PopulationGrid& coarse);
@@ -86,7 +86,7 @@ class PopulationGrid {
     RowField<double> defect;  ///< D
     RowField<double> start;   ///< I f of the finer grid
   };
-  std::optional<CoarseProblem> coarse_;  ///< written at each visit; none on the finest grid
+  std::optional<CoarseProblem> coarse_;  ///< set by the finer grid at each visit; none on the finest grid
 };
 
 /// The finest grid and its coarser ones, each of half as many cells along an edge, until an edge has 4 cells

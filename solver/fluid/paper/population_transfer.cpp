@@ -14,7 +14,7 @@ using namespace d3q19;
 
 using PopulationMatrix = std::array<std::array<double, kQ>, kQ>;
 
-/// Factors of density, momentum, stress-like moments (e, eps, p), energy flux, and moments of third and
+/// Factors for density, momentum, stress-like moments (e, eps, p), energy flux, and moments of third and
 /// fourth order.
 struct MomentFactors {
   double rho, j, stress, flux, third, fourth;
@@ -55,8 +55,8 @@ double equilibrium_slope(const MrtRates& rates, int k, int conserved) {
   return k == conserved + 1 ? -2.0 / 3 : 0;  // q = -2/3 j
 }
 
-/// The matrix M^-1 T M that multiplies conserved moments, and the deviations of the others from their
-/// equilibrium, by their factors.
+/// The matrix M^-1 T M for populations. T multiplies the conserved moments by their factors, and the
+/// deviations of the other moments from their equilibria by theirs.
 PopulationMatrix scaling(const MomentFactors& factors, const MrtRates& rates) {
   PopulationMatrix moments{};  // T M
   for (int k = 0; k < kQ; ++k)

@@ -23,7 +23,7 @@ class PopulationTransfer {
   /// coarse = I fine: mean of the children, moments scaled to the lattice units of the coarse grid.
   void restrict_state(const RowField<double>& fine, RowField<double>& coarse) const;
 
-  /// coarse = I' fine: mean of the children, moments scaled as residuals.
+  /// coarse = I' fine: mean of the children, each moment multiplied by the factor of its residual.
   void restrict_residual(const RowField<double>& fine, RowField<double>& coarse) const;
 
   /// Scales the moments of a field on the coarse grid to the lattice units of the fine grid, in place.

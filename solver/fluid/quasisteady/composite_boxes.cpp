@@ -5,11 +5,12 @@
 namespace capstan {
 namespace {
 
-// Cells of a grid on every side of the capsule, and of the next finer grid. With these margins the velocities
-// of the membrane differ by less than 1e-3 from those on a uniform grid (measured).
+// Margins in cells on every side: of the finest grid around the capsule, and of each coarser grid around the
+// next finer one. With these margins the velocities of the membrane differ by less than 1e-3 from those on a
+// uniform grid (measured).
 constexpr int kMarginOfFinest = 6, kMarginOfNext = 4;
-constexpr int kSlack = 2;   // cells that the capsule can move before its box moves
-constexpr int kMinGap = 4;  // a side nearer than this to a side of the domain, in cells, is moved to it
+constexpr int kSlack = 2;   // cells by which the capsule can move before the box must follow it
+constexpr int kMinGap = 4;  // in cells; a side of a box nearer than this to that of the domain is moved to it
 constexpr double kMaxShare =
     0.5;  // a box with a larger share of the domain's cells is extended to the whole domain
 
@@ -25,7 +26,7 @@ IndexBox aligned(IndexBox box, bool is_quarter) {
   return box;
 }
 
-/// The box that a grid gets to cover `box`.
+/// The box of a grid that has to cover `box`: aligned, and extended to sides of the domain that are near.
 IndexBox fitted(IndexBox box, const Domain& domain, int grid) {
   const IndexBox all = domain.box(grid);
   box = aligned(box, domain.is_quarter);

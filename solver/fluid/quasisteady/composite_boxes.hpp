@@ -24,9 +24,8 @@ struct Domain {
 
 /// The boxes of all grids, finest first.
 /// \param capsule  cells of the finest spacing that the capsule touches, delta functions included
-/// \param current  the present boxes, or none. A box is kept while it is large enough and not much too large:
-/// moving a grid
-///                 costs time.
+/// \param current  the present boxes, or none. A box is kept while it is large enough and not much too large,
+///                 because moving a grid costs time.
 std::vector<IndexBox> plan_boxes(const Domain& domain, const IndexBox& capsule,
                                  const std::vector<IndexBox>& current);
 

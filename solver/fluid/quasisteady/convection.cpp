@@ -6,7 +6,7 @@
 namespace capstan {
 namespace {
 
-/// The same for one row of cells; pointers to its first cell.
+/// subtract_convection() for one row of cells. The pointers are to its first cell.
 template <class T>
 CAPSTAN_VECTOR_UNITS void subtract(const T* moments, const Strides& s, int count, T half_inertia,
                                    T* __restrict defect) {

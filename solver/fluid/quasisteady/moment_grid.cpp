@@ -16,9 +16,9 @@ constexpr std::array<double, kMoments> kStateToCoarse = {2, 1, 1, 1};
 constexpr std::array<double, kMoments> kStateToFine = {0.5, 1, 1, 1};
 constexpr std::array<double, kMoments> kResidualToCoarse = {2, 4, 4, 4};
 
-// Stresses are extrapolated by this share of a step in time only (measured for V = 0.1 ... 10). With 1,
-// errors of the stresses would no longer be damped from step to step; with 0, the error at the start of a
-// solve would be twice as large.
+// Fraction of a time step by which stresses are extrapolated (measured for V = 0.1 ... 10). With 1, errors of
+// the stresses would not be damped from step to step. With 0, the error at the start of a solve would be
+// twice as large.
 constexpr double kStressExtrapolation = 0.8;
 
 /// P_xy of the undisturbed flow at shear rate 1: sum w_i e_x e_y 3 e_x (y - e_y dx).
@@ -63,8 +63,8 @@ SideRules MomentGrid<T>::rules_of(const IndexBox& box) const {
   return rules;
 }
 
-// scratch_.next = keep m + blend (S(m) + D). Every row is written by one thread from values that no thread
-// changes: the result does not depend on the number of threads.
+// scratch_.next = keep m + blend (S(m) + D). Every row is written by one thread and depends only on values
+// that stay constant during the sweep. So the result does not depend on the number of threads.
 template <class T>
 void MomentGrid<T>::sweep(double keep, double blend, double p_keep, double p_blend) {
   const RowField<T>& m = state_.now;
@@ -105,9 +105,9 @@ void MomentGrid<T>::restrict_to(MomentGrid& coarse) {
   coarse.take_defect(*this);
 }
 
-// Eq. 24: D_H = A_H(I m) + I' r_h, in the cells whose whole stencil is covered by the fine grid; elsewhere
-// this grid keeps its own D. The residual of this grid is r_H = D - A_H(I m) with the old D, so the new one
-// is D - r_H + I' r_h.
+// Eq. 24: D_H = A_H(I m) + I' r_h, in the cells whose whole stencil is covered by the fine grid. In all other
+// cells D is unchanged. With the old D the residual of this grid is r_H = D - A_H(I m). The new value of D is
+// therefore D - r_H + I' r_h.
 template <class T>
 void MomentGrid<T>::take_defect(MomentGrid& fine) {
   sweep_residual();
@@ -120,7 +120,7 @@ void MomentGrid<T>::take_defect(MomentGrid& fine) {
   scratch_.start = state_.now;
 }
 
-/// The cells whose neighbours, too, are covered by the fine grid.
+/// The cells that the fine grid covers together with all their neighbours.
 template <class T>
 IndexBox MomentGrid<T>::covered_stencils(const MomentGrid& fine) const {
   IndexBox inner = coarsened(fine.box());
@@ -135,7 +135,7 @@ IndexBox MomentGrid<T>::covered_stencils(const MomentGrid& fine) const {
 template <class T>
 void MomentGrid<T>::subtract_mean_mass_defect() {
   const IndexBox& cells = box();
-  double sum = 0;  // in one order, so that it does not depend on the number of threads
+  double sum = 0;  // in a fixed order, so that rounding does not depend on the number of threads
   for_each_row_in_order(cells, [&](int y, int z) {
     const T* row = defect_.row(kRho, y, z);
     for (int i = 0; i < cells.size(0); ++i) sum += row[i];
@@ -167,7 +167,7 @@ void MomentGrid<T>::take_change() {
 template <class T>
 void MomentGrid<T>::interpolate_ghosts(const MomentGrid& coarse) {
   const IndexBox all = with_interpolated_ghosts(box());
-  IndexBox rest = all;  // without the layers that are done
+  IndexBox rest = all;  // the ghosts that no layer covers yet
   for (int axis = 0; axis < 3; ++axis) {
     IndexBox low = rest, high = rest;
     low.hi[axis] = rest.lo[axis] = box().lo[axis];

@@ -23,8 +23,10 @@ struct Relaxation {
 template <class T>
 class MomentGrid {
  public:
-  /// \param domain        all cells of this spacing; sides of `box` that are not sides of the domain are
-  /// interpolated \param domain_rules  rules of the sides of the domain \param dx            spacing / a
+  /// \param domain        all cells of this spacing; at sides of `box` inside the domain, ghosts are
+  ///                      interpolated
+  /// \param domain_rules  rules of the sides of the domain
+  /// \param dx            spacing / a
   /// \param has_stress    whether the viscosity differs from the ambient one anywhere
   MomentGrid(const IndexBox& box, const IndexBox& domain, const SideRules& domain_rules, double dx, double Re,
              bool has_stress, const Relaxation& relaxation);
@@ -33,7 +35,7 @@ class MomentGrid {
   /// Whether the grid covers the whole domain.
   bool is_whole() const { return box() == domain_; }
 
-  // A FasLevel:
+  // The operations of a FasLevel (full_approximation.hpp):
   void relax();
   void restrict_to(MomentGrid& coarse);
   void correct_from(MomentGrid& coarse);
@@ -45,8 +47,8 @@ class MomentGrid {
   void clear_force();
   /// D <- D + force, in the cells of the field's box (units a k per sweep).
   void add_force(const VectorField& force);
-  /// D <- D + the part of convection that is kept constant during a solve (convection.hpp), of the present
-  /// flow.
+  /// Adds to D the part of convection that is kept constant during a solve (convection.hpp), computed from
+  /// the present flow.
   void add_convection();
   /// g <- g + factor * force. (The velocity is u = g - F/2.)
   void add_momentum(double factor, const VectorField& force);
@@ -86,11 +88,11 @@ class MomentGrid {
   double dx_;
   double inertia_;  ///< Re nu dx / a
   Relaxation relaxation_;
-  int sweep_parity_ =
-      0;  ///< which gamma is next; 0 at the start of every solve (each visit has an even number of sweeps)
+  int sweep_parity_ = 0;  ///< index of the gamma of the next sweep; 0 at the start of every solve, because
+                          ///< each visit has an even number of sweeps
   SideRules rules_;
 
-  /// Survives a solve, and is held by a checkpoint.
+  /// Kept from one solve to the next, and stored in checkpoints.
   struct State {
     RowField<T> now, before;  ///< moments, and those of the last solve
   } state_;
@@ -99,7 +101,7 @@ class MomentGrid {
   /// Valid within one cycle only.
   struct Scratch {
     RowField<T> next;   ///< result of a sweep: the next moments, or a residual
-    RowField<T> start;  ///< I m of the finer grid, then the change since
+    RowField<T> start;  ///< first I m of the finer grid, then the change m - I m
   } scratch_;
   std::optional<StressField<T>> stress_;
 };

@@ -8,15 +8,15 @@
 namespace capstan {
 namespace {
 
-// Numbers of a row that are handled at a time: their sums fit into the first-level cache.
+// Numbers of a row that are processed at a time: the sums of such a block fit into the first-level cache.
 constexpr int kBlock = 256;
 
-/// A part of a row, by indices of its numbers in memory: 0 is the ghost before the first cell, and the last
-/// are padding. So loops run over whole vector registers. Results for ghosts and padding are discarded
-/// (weights_at()).
+/// A part of a row, by indices of its numbers in memory: index 0 is the ghost before the first cell, and the
+/// last indices are padding. Ghosts and padding are included so that loops run over whole vector registers;
+/// their results are discarded (weights_at()).
 struct Block {
   int first, last;  ///< cells first <= i < last are updated
-  int from, to;     ///< cells from <= i < to send populations to them
+  int from, to;     ///< their populations come from the cells from <= i < to
 };
 
 /// The block that starts at `first`, in a row of `numbers` numbers.
@@ -36,19 +36,21 @@ template <class T>
   return {is_cell ? keep : T(1), is_cell ? blend : T(0)};
 }
 
-/// 36 times the moments of the populations that the cells of a row and of the rows around it send to x + 1
-/// (right), to x - 1 (left) and to the same x (across), summed over the rows for each x of a block.
+/// 36 times the moments of the populations that stream from x into one row, for each x of a block. They are
+/// summed over this row and the eight rows around it, separately for the directions with e_x = 1 (right), e_x
+/// = -1 (left) and e_x = 0 (across).
 template <class T, int kSums, int kSumsAcross>
 struct Sent {
   static constexpr int kRoom = kBlock + 2 * kLanes;
   alignas(64) T right[kSums][kRoom], left[kSums][kRoom], across[kSumsAcross][kRoom];
 
-  /// Zero beyond the two ends of the block, where nothing is computed but relax() reads.
+  /// Sets the entries next to both ends of the block to zero. At the ends of a row no sums are computed
+  /// there, but relax() reads them.
   [[gnu::always_inline]] void begin(const Block& block) {
     for (int k = 0; k < kSums; ++k) right[k][kLanes - 1] = left[k][kLanes + block.last - block.first] = 0;
   }
 
-  /// Stores a sum, given its parts that are even and odd in e_x.
+  /// Stores a sum for e_x = 1 and e_x = -1, given its parts that are even and odd in e_x.
   [[gnu::always_inline]] void send(int k, int at, T even, T odd) {
     right[k][at] = even + odd;
     left[k][at] = even - odd;
@@ -60,7 +62,8 @@ struct Sent {
     return across[k][at] + (from_left(k, at) + from_right(k, at));
   }
 };
-/// The moments 1, e_y, e_z, e_y e_y, e_z e_z, e_y e_z. Those with e_x are differences of right and left.
+/// Factors of the populations in the sums: 1, e_y, e_z, e_y e_y, e_z e_z, e_y e_z. Moments with the factor
+/// e_x are the differences of right and left.
 enum { kSum, kSumY, kSumZ, kSumYY, kSumZZ, kSumYZ };
 template <class T>
 using FluidSent = Sent<T, 3, 3>;
@@ -95,8 +98,8 @@ template <class T>
     sent.send(kSumY, i + shift, even_y, 3 * odd_y);
     sent.send(kSumZ, i + shift, even_z, 3 * odd_z);
 
-    // e_x = 0: the directions along axes have twice the weight of those with e_x = +-1 above, so twice the
-    // sums above are used; the rest population has 12 = 8 + 2 * 2
+    // e_x = 0: the directions (0, +-1, 0) and (0, 0, +-1) have the weight 2, those with e_x = +-1 in the sums
+    // above have the weight 1: twice these sums are used. The rest population has the weight 12 = 8 + 2 * 2
     const auto phi = [&](int ey, int ez) {
       const std::ptrdiff_t at = i - ey * s.y - ez * s.z;
       return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]);
@@ -114,7 +117,7 @@ struct Phi {
   T even, odd;
 };
 
-/// First half of (b) with stresses: second moments, too.
+/// First half of (b) with stresses: also sums for the second moments.
 template <class T>
 [[gnu::always_inline]] inline void gather(const StressRow<T>& row, const Block& block, StressSent<T>& sent) {
   const Strides &s = row.fluid.strides, &t = row.stress_strides;
@@ -175,8 +178,8 @@ template <class T>
   }
 }
 
-/// Second half of (b) for density and momentum: sums of the populations that arrive from the left, from the
-/// right and from the same x, less (c); then the relaxation. Ghosts are copied.
+/// Second half of (b) for density and momentum: the sums over the populations from x - 1, from x + 1 and from
+/// the same x, minus (c); then the relaxation. Ghosts are copied.
 template <class T, class Sent>
 [[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block, const Sent& sent) {
   const std::ptrdiff_t k = row.strides.component;
@@ -201,7 +204,7 @@ template <class T, class Sent>
   }
 }
 
-/// Likewise for density, momentum and stresses.
+/// Second half of (b) for density, momentum and stresses.
 template <class T>
 [[gnu::always_inline]] inline void relax(const StressRow<T>& row, const Block& block,
                                          const StressSent<T>& sent) {

@@ -41,8 +41,8 @@ enum MomentComponent { kRho, kGx, kGy, kGz, kMoments };
 /// Components of a field of stresses. P_zz = -P_xx - P_yy.
 enum StressComponent { kXX, kYY, kXY, kXZ, kYZ, kStresses };
 
-/// A row of cells of the ambient viscosity: pointers to rho in its first cell, into fields (RowField) of
-/// equal strides.
+/// A row of cells of the ambient viscosity. The pointers are to rho in its first cell; all fields (RowField)
+/// have equal strides.
 template <class T>
 struct FluidRow {
   const T* m;       ///< moments; their ghosts are read, and copied to `out`
@@ -63,7 +63,7 @@ struct StressRow {
   FluidRow<T> fluid;
   const T* factor;  ///< c = 1 - s, with ghosts
   Strides factor_strides;
-  const T* p;         ///< P, with ghosts, without that of the undisturbed flow
+  const T* p;         ///< P, with ghosts, minus the stress of the undisturbed flow
   const T* p_defect;  ///< D of the stresses
   T* p_out;
   Strides stress_strides;

@@ -10,15 +10,15 @@ namespace capstan {
 namespace {
 
 // Relaxation factors measured to smooth well for 0.1 <= V <= 10. With one cycle a step and linear
-// extrapolation in time the eigenvalues of the cycle must stay above -1/3, or errors would grow from step to
-// step; with these factors they do.
+// extrapolation in time, errors would grow from step to step if an eigenvalue of the cycle were below -1/3.
+// With these factors none is.
 constexpr Relaxation kRelaxation = {{0.9, 0.75}, 0.5};
 
 constexpr int kMaxCycles = 100;
 // Bounds of the estimated contraction factor of a cycle: at least 0.2 is assumed, and at most 0.95.
 constexpr double kMinContraction = 0.2, kMaxContraction = 0.95;
-// A W-cycle, but each of the two coarsest grids is visited once: visited twice they would cost more time than
-// they save.
+// A W-cycle, except that each of the two coarsest grids is visited once: a second visit would take more time
+// than it saves.
 constexpr CycleShape kCycle{.pre = 0, .post = 2, .visits = 2, .single_visits = 2, .coarsest = 10};
 
 // Cells on either side of the membrane over which the jump of the viscosity is smoothed.
@@ -93,7 +93,7 @@ void QuasisteadyFlow<T>::put_viscosity(const Points& positions) {
   }
 }
 
-// Linear extrapolation in time: its error, which the cycles must reduce, is the second difference of the flow
+// Linear extrapolation in time. Its error, which the cycles must reduce, is the second difference of the flow
 // in time.
 template <class T>
 void QuasisteadyFlow<T>::extrapolate_to(double kt) {
@@ -105,9 +105,9 @@ void QuasisteadyFlow<T>::extrapolate_to(double kt) {
   solved_at_.push_back(kt);
 }
 
-// Between two solves the finest grid holds velocities u instead of momenta g = u + F/2: forces in a cell
-// change strongly while the membrane passes it, velocities change little, so velocities are what can be
-// extrapolated.
+// Between two solves the finest grid holds velocities u instead of momenta g = u + F/2: the force in a cell
+// changes strongly while the membrane passes it, but the velocity changes little. So the velocities are
+// extrapolated in time, not the momenta.
 template <class T>
 void QuasisteadyFlow<T>::put_forces(const Points& forces) {
   boundary_.spread(forces, kAmbientViscosity / options_.dx, force_);
@@ -119,7 +119,7 @@ void QuasisteadyFlow<T>::put_forces(const Points& forces) {
   grids_.front().add_momentum(0.5, force_);
 }
 
-/// u = g - F/2, interpolated, plus the undisturbed flow, which is evaluated at the vertices themselves.
+/// u = g - F/2, interpolated to the vertices, plus the undisturbed flow, evaluated exactly at the vertices.
 template <class T>
 void QuasisteadyFlow<T>::vertex_velocities(const Points& positions, Points& velocities) {
   velocity_.reset(force_.box());
@@ -134,15 +134,16 @@ void QuasisteadyFlow<T>::cycle() {
   fas_cycle(std::span(grids_), kCycle);
 }
 
-/// Makes the next solve start from the undisturbed flow: the present numbers are not finite.
+/// Makes the next solve start from the undisturbed flow, because the present flow is not finite.
 template <class T>
 void QuasisteadyFlow<T>::forget_flow() {
   grids_.clear();
   solved_at_.clear();
 }
 
-// The error after a cycle is estimated by the sum of all further changes: with the contraction factor rho of
-// a cycle, change * rho / (1 - rho). Differs from the paper, which stops on the change itself (eq. 26).
+// The error after a cycle is estimated by the sum of the changes in all further cycles, which is change * rho
+// / (1 - rho) for a contraction factor rho of a cycle. Differs from the paper, which stops on the change
+// itself (eq. 26).
 template <class T>
 FlowReport QuasisteadyFlow<T>::cycle_until_converged(const Points& positions, Points& velocities) {
   Points last;
@@ -155,7 +156,8 @@ FlowReport QuasisteadyFlow<T>::cycle_until_converged(const Points& positions, Po
     vertex_velocities(positions, velocities);
     const double change = (velocities - last).norm() / velocities.norm();
     if (!std::isfinite(change)) return lost_flow("the flow is not finite");
-    // Early contraction ratios are optimistic, hence the minimum: smooth error dominates later.
+    // The first ratios of changes are smaller than the contraction factor of later cycles, in which the
+    // smooth error dominates: hence the minimum.
     const double contraction = report.iterations > 1
                                    ? std::clamp(change / last_change, kMinContraction, kMaxContraction)
                                    : first_contraction_;

@@ -29,15 +29,14 @@ template <class T>
 class QuasisteadyFlow : public FlowModel {
  public:
   /// \param orbits  the symmetry of the capsule, which all positions passed to solve() must have; without
-  /// symmetry the whole
-  ///                domain is solved for
+  ///                symmetry the whole domain is solved for
   QuasisteadyFlow(const TriangleMesh& mesh, Orbits orbits, const QuasisteadyOptions& options);
 
   FlowReport solve(double kt, const Points& positions, const Points& forces, Points& velocities) override;
   void save(StateArchive& archive) const override;
   void load(const StateArchive& archive) override;
 
-  /// One multigrid cycle, for measurements. Requires a solve before.
+  /// One multigrid cycle, for measurements. solve() must have been called before.
   void cycle();
   const std::vector<MomentGrid<T>>& grids() const { return grids_; }
 
@@ -56,7 +55,7 @@ class QuasisteadyFlow : public FlowModel {
   Domain domain_;
   SymmetricBoundary boundary_;
   std::optional<ViscosityField> viscosity_;  ///< none for V = 1
-  // State: with the state of each grid it is what a checkpoint holds
+  // State: a checkpoint stores it together with the state of each grid
   std::vector<IndexBox> boxes_;
   std::vector<MomentGrid<T>> grids_;  ///< finest first; none before the first solve
   std::vector<double> solved_at_;     ///< kt of the last two solves, or fewer

@@ -64,7 +64,7 @@ std::vector<char> StressField<T>::rows_near(const std::vector<char>& rows) const
   std::vector<char> near(rows.size(), false);
   for_each_row_in_order(box(), [&](int y, int z) {
     if (!rows[row_index(y, z)]) return;
-    // all children of the parents of the rows around
+    // all rows with the same coarse parents as this row and the rows next to it
     const IndexBox family{{0, (y - 1) & ~1, (z - 1) & ~1}, {1, ((y + 1) | 1) + 1, ((z + 1) | 1) + 1}};
     const IndexBox yz{{0, box().lo[1], box().lo[2]}, {1, box().hi[1], box().hi[2]}};
     for_each_row_in_order(intersection(family, yz),
@@ -115,7 +115,7 @@ void StressField<T>::restrict_to(StressField& coarse) const {
 }
 
 /// D_H = A_H(I P) + I' r_h, as MomentGrid::take_defect: scratch_.next holds the residuals of both grids.
-/// Residuals of cells with c = 0 are left out: their stress has no effect.
+/// Residuals of cells with c = 0 are set to zero, because the stress of these cells has no effect.
 template <class T>
 void StressField<T>::take_defect(StressField& fine) {
   fine.for_each_computed_row(fine.box(), [&](int y, int z) {

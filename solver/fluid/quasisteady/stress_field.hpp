@@ -15,16 +15,18 @@ class StressField {
  public:
   StressField(const IndexBox& box, const SideRules& rules);
 
-  /// Sets c, and the rows that are computed: those with a cell of another viscosity, the rows next to them,
-  /// and all rows that have a coarse parent row in common with one of these (a coarser grid averages over
-  /// them). \param ratio  of the viscosity to the ambient one; 1 outside of its box
+  /// Sets c and selects the rows that are computed: rows with a cell whose viscosity differs from the ambient
+  /// one, the rows next to them, and all rows that share a coarse parent row with one of these (a coarser
+  /// grid averages over them).
+  /// \param ratio  of the viscosity to the ambient one; 1 outside of its box
   void set_viscosity(const ScalarField& ratio);
 
   /// Whether a row is computed.
   bool has(int y, int z) const { return rows_[row_index(y, z)]; }
 
   void fill_ghosts();
-  /// The arguments of a sweep over a row of this field and of the moments. The result goes to scratch.
+  /// The arguments of a sweep over a row of this field and of the moments. The result is written to
+  /// scratch_.next.
   /// \param undisturbed  P_xy of the undisturbed flow
   StressRow<T> row(const FluidRow<T>& fluid, int y, int z, T keep, T blend, T undisturbed);
   /// Takes the result of a sweep as the new P.
@@ -44,7 +46,7 @@ class StressField {
   /// Linear extrapolation in time: P <- P + weight (P - P of the last call).
   void extrapolate(double weight);
 
-  /// Survives a solve, and is held by a checkpoint.
+  /// Kept from one solve to the next, and stored in checkpoints.
   struct State {
     RowField<T> now, before;  ///< P, and that of the last solve
   };
@@ -75,7 +77,7 @@ class StressField {
   /// Valid within one cycle only.
   struct Scratch {
     RowField<T> next;   ///< result of a sweep: the next P, or a residual
-    RowField<T> start;  ///< I P of the finer grid, then the change since
+    RowField<T> start;  ///< first I P of the finer grid, then the change P - I P
   } scratch_;
 };
 

@@ -41,8 +41,8 @@ Points SymmetricBoundary::folded(const Points& of_representatives) const {
   return signs_.cwiseProduct(of_representatives);
 }
 
-/// The cells that the representatives' delta functions touch; with symmetry, in x to equal distances from the
-/// axis of the half-turn.
+/// The cells in the supports of the representatives' delta functions; with symmetry, extended in x to equal
+/// distances on both sides of the axis of the half-turn.
 IndexBox SymmetricBoundary::unfolded() const {
   IndexBox box = boundary_.box();
   if (!has_symmetry()) return box;

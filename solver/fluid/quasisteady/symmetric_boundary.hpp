@@ -1,9 +1,10 @@
 #pragma once
 // The immersed boundary method on a quarter of the grid, y, z >= 0, for a symmetric capsule
-// (in_plane_symmetry.hpp). Of each orbit of vertices only one is spread and interpolated, at its image in
-// that quarter. Forces that it spreads to cells beyond the planes y = 0 and z = 0 are added to the images of
-// these cells: they are the shares of the other vertices of the orbit. Without symmetry every vertex is its
-// own orbit and the grid is whole.
+// (in_plane_symmetry.hpp). Only one vertex of each orbit is used: its image in this quarter spreads the force
+// and interpolates the velocity. The delta function of a vertex near y = 0 or z = 0 extends beyond these
+// planes. The forces on cells beyond a plane are added to the images of these cells in the quarter, where
+// they equal the forces that the other vertices of the orbit spread there. Without symmetry every vertex is
+// its own orbit and the grid covers the whole domain.
 #include "solver/coupling/immersed_boundary.hpp"
 #include "solver/mesh/in_plane_symmetry.hpp"
 
@@ -33,7 +34,8 @@ class SymmetricBoundary {
 
   Orbits orbits_;
   ImmersedBoundary boundary_;
-  Points signs_;  ///< 3 x #representatives: +-1 a component, the symmetry that takes each into the quarter
+  Points signs_;  ///< 3 x #representatives: signs (+-1) of the components under the symmetry that maps each
+                  ///< one into the quarter
   VectorField unfolded_;  ///< scratch: the cells touched, those beyond the planes included
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// The double layer potential, the effect of a viscosity ratio on the flow (Pozrikidis 1992, section 5.3),
-// with the velocity at x0 subtracted:
+// The double layer potential, by which a viscosity ratio affects the flow (Pozrikidis 1992, section 5.3),
+// with the velocity at x0 subtracted from the density:
 //   K u(x0)_j = 1/(8 pi) int [u(x) - u(x0)]_i T_ijk(x - x0) n_k dA.
 // The integrand is bounded, so the vertex rule can leave out x0 itself, and K u = 0 exactly for a rigid
 // motion. On the unit sphere K u = 2/5 u for a pure strain u.
@@ -19,8 +19,8 @@ class DoubleLayer {
   Points apply(const Points& velocities) const;
 
  private:
-  /// The integral over a close face less its share in the vertex rule: a linear function of the velocities of
-  /// its corners relative to the target's.
+  /// The integral over a close face minus the contribution of this face to the vertex rule: a linear function
+  /// of the velocities of its corners relative to that of the target.
   struct Correction {
     int slot;  ///< of the target
     Eigen::Vector3i corners;

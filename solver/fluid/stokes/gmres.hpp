@@ -1,7 +1,7 @@
 #pragma once
 // The generalised minimal residual method (GMRES, Saad and Schultz 1986), without restarts, for an operator
-// given as a function. Eigen's own GMRES measures its tolerance relative to the first residual, which is
-// small after a good start.
+// given as a function. Eigen's own GMRES is not used: its tolerance is relative to the first residual, which
+// is small where the initial guess is good.
 #include <Eigen/Dense>
 #include <functional>
 

@@ -35,8 +35,9 @@ Neighbourhood::Neighbourhood(const TriangleMesh& mesh, std::vector<int> targets)
   number_near_faces();
 }
 
-/// Lists the faces of all two-rings, each once, and replaces faces by their index in this list: rules are
-/// computed for these faces only, which for a quarter of the vertices are less than half of all.
+/// Lists the faces of all two-rings, each once, and replaces face numbers in the rings by indices into this
+/// list. Quadrature rules are computed for the faces in the list only. If the targets are a quarter of the
+/// vertices, these are less than half of all faces.
 void Neighbourhood::number_near_faces() {
   std::vector<int> numbers(size_t(faces_.cols()), -1);
   for (Rings& rings : rings_)

@@ -1,5 +1,5 @@
 #pragma once
-// The faces that are too near to a vertex for the vertex rule.
+// The faces so near to a target vertex that the vertex rule (surface.hpp) is not accurate on them.
 #include <algorithm>
 #include <span>
 #include <vector>
@@ -28,7 +28,8 @@ struct CloseFace {
   int face;
 };
 
-/// The faces that are close to one target. \param close  sorted by target
+/// The faces that are close to one target.
+/// \param close  sorted by target
 inline std::span<const CloseFace> close_to(const std::vector<CloseFace>& close, int slot) {
   const auto first = std::ranges::lower_bound(close, slot, {}, &CloseFace::slot);
   const auto last = std::ranges::upper_bound(close, slot, {}, &CloseFace::slot);

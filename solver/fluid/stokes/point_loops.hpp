@@ -4,7 +4,7 @@
 
 namespace capstan {
 
-/// The components of an array of points, whose number is a multiple of 16.
+/// The x, y and z components of an array of points; the number of points is a multiple of 16.
 struct Components {
   const float *x, *y, *z;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// The sums over all pairs of the boundary integral method: each function sums over all sources for one
-// target. With r = x - x0 and the kernels of Pozrikidis (1992):
+// The sums of the boundary integral method over all pairs of a target and a source: each function computes
+// the sum over all sources for one target. With r = x - x0 and the kernels of Pozrikidis (1992):
 //   Stokeslet   G_ij = delta_ij / r + r_i r_j / r^3
 //   stresslet   T_ijk = -6 r_i r_j r_k / r^5
 // A source at the target itself contributes nothing. Sums are in single precision, vectorised; their relative
@@ -51,7 +51,8 @@ Eigen::Vector3f sum_stresslets(const PointArray& points, const PointArray& area_
                                const PointArray& velocities, const Eigen::Vector3f& x0,
                                const Eigen::Vector3f& u0);
 
-/// Marks the points that are nearer to x0 than their own reach, and returns their number.
+/// Marks the points whose distance to x0 is less than their own reach, and returns the number of marked
+/// points.
 /// \param reach_squared  of each point, padded with zeros
 /// \param marks          result, of each point, padded: 1 within reach, else 0
 int mark_within_reach(const PointArray& points, const std::vector<float>& reach_squared,

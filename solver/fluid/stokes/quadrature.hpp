@@ -7,7 +7,8 @@
 
 namespace capstan {
 
-/// A quadrature point of a triangle. The weights of a rule sum to 1: the factor is the area.
+/// A quadrature point of a triangle. The weights of a rule sum to 1, so an integral is the weighted sum times
+/// the area of the triangle.
 struct TrianglePoint {
   Vec3 barycentric;
   double weight;
@@ -31,9 +32,9 @@ inline constexpr std::array<EdgePoint, 5> kEdgeRule = {{{0.046910077030668, 0.11
                                                         {0.769234655052842, 0.239314335249683},
                                                         {0.953089922969332, 0.118463442528095}}};
 
-/// Decides whether the three-point rule is accurate enough for a kernel that is singular at x0: if x0 is at
-/// least half the longest side away from the triangle's centre. That is about the distance between the points
-/// of the rule.
+/// Decides whether the three-point rule is accurate enough for a kernel that is singular at x0. It is if the
+/// distance of x0 from the centre of the triangle is at least half the longest side, which is about the
+/// distance between the points of the rule.
 struct TriangleSize {
   explicit TriangleSize(const Eigen::Matrix3d& corners);
   bool can_integrate_from(const Vec3& x0) const { return (centre - x0).squaredNorm() >= max_side2 / 4; }
@@ -43,8 +44,8 @@ struct TriangleSize {
 };
 
 /// A rule for a kernel that is singular at x0: the triangle is split into four parts, and these again, until
-/// the three-point rule is accurate enough on each part or a part has been split three times. \param corners
-/// 3 x 3, one column a corner
+/// the three-point rule is accurate enough on each part or a part has been split three times.
+/// \param corners  3 x 3, one column per corner
 std::vector<TrianglePoint> refined_rule(const Eigen::Matrix3d& corners, const Vec3& x0);
 
 }  // namespace capstan

@@ -12,8 +12,8 @@ struct PointForce {
   Eigen::Vector3f position, force;
 };
 
-/// Point forces near one target. Every quadrature rule yields point forces, so that one loop sums all of
-/// them.
+/// Point forces near one target. Every quadrature rule replaces the force density by point forces, so that
+/// one loop sums all rules.
 class PointForces {
  public:
   void clear() { positions_.clear(), forces_.clear(); }
@@ -57,13 +57,14 @@ class SingleLayer {
   }
 
  private:
-  /// The share of a face in the vertex rule at one of its corners, with the opposite sign.
+  /// The contribution of a face to the vertex rule at one of its corners, with the opposite sign: it is
+  /// subtracted where another rule is used on the face.
   PointForce taken_back(int face, int vertex) const {
     const Vec3 share = -surface_.face_areas[face] / 3 * densities_.col(vertex);
     return {surface_.positions.col(vertex).cast<float>(), share.cast<float>()};
   }
 
-  /// The three-point rule on a face, less its share in the vertex rule.
+  /// The three-point rule on a face minus the contribution of the face to the vertex rule.
   struct FaceRule {
     int face;
     TriangleSize size;

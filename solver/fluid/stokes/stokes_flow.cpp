@@ -12,8 +12,8 @@ namespace capstan {
 namespace {
 
 constexpr int kMaxProducts = 150;
-constexpr double kVolumeRate =
-    10;  // units k: fast compared with the flow, slow compared with the elastic relaxation
+constexpr double kVolumeRate = 10;  // rate in units of k at which a volume error decays: fast compared with
+                                    // the flow, slow compared with the elastic relaxation
 
 Points shear_flow(const Points& positions) {
   Points velocities = Points::Zero(3, positions.cols());
@@ -26,8 +26,8 @@ double flux(const Points& vectors, const Surface& surface) {
   return vectors.cwiseProduct(surface.vertex_area_vectors).sum();
 }
 
-/// Forces without their component along N, that of a uniform pressure. A uniform pressure drives no flow, but
-/// its discretisation does.
+/// Forces minus their component along N (all vertices taken as one vector), which is the force of a uniform
+/// pressure. A uniform pressure drives no flow, but the discretised single layer of it is not exactly zero.
 Points without_pressure(const Points& forces, const Surface& surface) {
   const Points& area_vectors = surface.vertex_area_vectors;
   return forces - flux(forces, surface) / area_vectors.squaredNorm() * area_vectors;

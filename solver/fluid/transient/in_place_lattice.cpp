@@ -50,15 +50,17 @@ namespace {
 template <class Real>
 constexpr std::size_t kLine = kNumbersPerLine<Real>;
 
-/// Numbers from row to row. Rows start at cache lines, with an extra line of padding between them, which
-/// holds two ghosts: the cell after the row's last, and the cell before the next row's first.
+/// Distance from a row to the next, in numbers. Rows start at cache lines. The extra line of padding between
+/// two rows holds two ghosts: the one after the last cell of a row, and the one before the first cell of the
+/// next row.
 template <class Real>
 std::size_t padded_row(int nx) {
   return whole_lines<Real>(nx) + kLine<Real>;
 }
 
-/// Numbers from one of the 19 arrays to the next: a multiple of 4096 bytes plus three cache lines. Without
-/// these lines all populations of a cell would be in the same set of the cache, which halves the speed.
+/// Distance from one of the 19 arrays to the next, in numbers: a multiple of 4096 bytes plus three cache
+/// lines. Without these lines all populations of a cell would be in the same set of the cache, which would
+/// halve the speed.
 template <class Real>
 std::size_t padded_array(std::size_t rows, std::size_t row_stride) {
   constexpr std::size_t kPage = 4096 / sizeof(Real);
@@ -86,13 +88,13 @@ Real* InPlaceLattice<Real>::array(int q, int y, int z) {
   return populations_.data() + kLine<Real> + q * array_stride_ + row * row_stride_;
 }
 
-/// Whether the wall reflected the population q that arrives at the row y.
+/// Whether the population q that streams into the row y comes from the wall (half-way bounce-back).
 template <class Real>
 bool InPlaceLattice<Real>::comes_from_wall(int q, int y) const {
   return y - e[q].y < 0 || y - e[q].y >= box_.size(1);
 }
 
-/// Where the population q that arrives at the cell x = 0 of a row is stored; those of the next cells follow.
+/// Address of the population q that streams into the cell x = 0 of a row; those of the next cells follow.
 template <class Real>
 Real* InPlaceLattice<Real>::population(int q, int y, int z) {
   if (storage_ == Storage::streamed || comes_from_wall(q, y)) return array(q, y, z);
@@ -139,10 +141,10 @@ void InPlaceLattice<Real>::add_momentum_from_walls(int y, const Row& row) const 
   }
 }
 
-// Rows are periodic by their two ghosts. A step that starts with storage `collided` reads and writes ghosts
-// like cells: it leaves a population that crosses the end of a row in the ghost there. So a step that starts
-// with storage `streamed` moves it to the cell at the other end before the collision, and back to the ghost
-// afterwards.
+// The two ghosts of a row make it periodic. A step that starts with storage `collided` reads and writes
+// ghosts like cells, so a population that crosses the end of a row is left in the ghost there. A step that
+// starts with storage `streamed` therefore copies it to the cell at the other end before the collision, and
+// back to the ghost afterwards.
 template <class Real>
 void InPlaceLattice<Real>::take_from_ghosts(int y, const Row& row) const {
   const int nx = box_.size(0);

@@ -2,17 +2,19 @@
 // The lattice Boltzmann equation in time on a box of cells between two moving walls in y, periodic in x and
 // z: the equation of PopulationGrid::step, solved with one set of populations instead of two.
 //
-// Streaming in place (Bailey et al. 2009, the "AA" pattern). In turn, after every step, the population q that
-// arrives at a cell x is stored
+// Streaming in place (Bailey et al. 2009, the "AA" pattern). The storage alternates from step to step. The
+// population q that streams into a cell x is stored
 //   streamed   in the cell x itself, array q
 //   collided   in the cell x - e_q that it comes from, in the array of the opposite direction
-// A step reads the 19 populations of a cell, collides them, and writes each to the memory of its opposite.
-// Their memory is then of the other kind. Each number is thus read and written once per step, by one cell
-// only. So an update moves 2 x 19 numbers, half the memory of two sets suffices, and cells may be updated in
-// any order by any number of threads with the same result, bit for bit.
+// A step reads the 19 populations of a cell, collides them, and writes each one to the address from which the
+// population of the opposite direction was read. The populations are then in the other kind of storage. In a
+// step each number is read and written once, by one cell only. So an update of a cell moves 2 x 19 numbers,
+// the memory is half of that of two sets, and cells may be updated in any order by any number of threads with
+// the same result, bit for bit.
 //
-// Half-way bounce-back needs no further memory: a population that the wall reflects is read where the cell
-// wrote the one that went to the wall.
+// Half-way bounce-back needs no further memory: the population that a cell receives from the wall is read
+// from the address to which the cell wrote the population of the opposite direction, which moved towards the
+// wall.
 #include <cstddef>
 #include <vector>
 
