@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "runner/store/database_error.hpp"
 
@@ -31,7 +32,7 @@ void IdleStatements::give_back(sqlite3_stmt* statement) {
 }
 
 Statement::Statement(sqlite3* connection, std::shared_ptr<IdleStatements> idle, std::string_view sql)
-    : connection_(connection), statement_(idle->take(sql), GiveBack{idle}) {
+    : connection_(connection), statement_{idle->take(sql), GiveBack{std::move(idle)}} {  // from left to right
   if (statement_) return;
   sqlite3_stmt* statement = nullptr;
   const int code =
