@@ -1,15 +1,21 @@
 #include "solver/coupling/immersed_boundary.hpp"
 
+#include <cstring>
+
 #include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 namespace {
 
 /// A row of the 4 x 4 x 4 cells around a vertex: one vector register with AVX2.
-using FourCells [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
-[[gnu::always_inline]] inline FourCells& at(double* cell) { return *reinterpret_cast<FourCells*>(cell); }
-[[gnu::always_inline]] inline const FourCells& at(const double* cell) {
-  return *reinterpret_cast<const FourCells*>(cell);
+using FourCells [[gnu::vector_size(32)]] = double;
+
+/// Copies, as the cells of a field are aligned like single numbers.
+[[gnu::always_inline]] inline void load(const double* cells, FourCells& numbers) {
+  std::memcpy(&numbers, cells, sizeof numbers);
+}
+[[gnu::always_inline]] inline void store(const FourCells& numbers, double* cells) {
+  std::memcpy(cells, &numbers, sizeof numbers);
 }
 
 template <class Field>
@@ -24,9 +30,13 @@ CAPSTAN_VECTOR_UNITS void spread_one(const Stencil& stencil, const Vec3& force, 
     FourCells along;
     for (int x = 0; x < 4; ++x) along[x] = force[c] * sx.weight[x];
     for (int z = 0; z < 4; ++z)
-      for (int y = 0; y < 4; ++y)
-        at(cells + c * strides.component + z * strides.z + y * strides.y) +=
-            sz.weight[z] * sy.weight[y] * along;
+      for (int y = 0; y < 4; ++y) {
+        double* row = cells + c * strides.component + z * strides.z + y * strides.y;
+        FourCells sums;
+        load(row, sums);
+        sums += sz.weight[z] * sy.weight[y] * along;
+        store(sums, row);
+      }
   }
 }
 
@@ -37,9 +47,11 @@ CAPSTAN_VECTOR_UNITS Vec3 interpolate_one(const Stencil& stencil, const double* 
   for (int c = 0; c < 3; ++c) {
     FourCells along = {};
     for (int z = 0; z < 4; ++z)
-      for (int y = 0; y < 4; ++y)
-        along +=
-            sz.weight[z] * sy.weight[y] * at(cells + c * strides.component + z * strides.z + y * strides.y);
+      for (int y = 0; y < 4; ++y) {
+        FourCells numbers;
+        load(cells + c * strides.component + z * strides.z + y * strides.y, numbers);
+        along += sz.weight[z] * sy.weight[y] * numbers;
+      }
     sums[c] = (along[0] * sx.weight[0] + along[1] * sx.weight[1]) +
               (along[2] * sx.weight[2] + along[3] * sx.weight[3]);
   }
