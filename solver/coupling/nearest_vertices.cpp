@@ -46,7 +46,7 @@ CAPSTAN_VECTOR_UNITS void claim(const Window& window, int vertex, std::size_t y_
 
 void NearestVertices::find(const Points& positions, double reach, const IndexBox& box) {
   box_ = box;
-  pitch_ = std::size_t(box.size(0) + kLanes);
+  pitch_ = std::size_t(box.size(0)) + kLanes;
   const float reach2 = float(reach * reach);
   distance2_.assign(pitch_ * box.size(1) * box.size(2), reach2);
   nearest_.assign(distance2_.size(), kNone);
