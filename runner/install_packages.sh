@@ -3,7 +3,7 @@
 # through sudo).
 set -eu
 packages="g++ cmake ninja-build pkg-config libeigen3-dev libhdf5-dev zlib1g-dev libsqlite3-dev libcpp-httplib-dev nlohmann-json3-dev
- libssl-dev libcli11-dev libgtest-dev libgmock-dev libbenchmark-dev curl $*"
+ libssl-dev libcli11-dev libgtest-dev libgmock-dev libbenchmark-dev curl gnuplot-nox fonts-dejavu-core $*"
 missing=""
 for package in $packages; do
   case "$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null)" in *"ok installed") ;; *) missing="$missing $package" ;; esac

@@ -65,12 +65,23 @@ server=http://127.0.0.1:$port
 option=""
 [ "$port" = 8017 ] || option=" --server $server"
 
-echo "Computing $study: a red cell's shape in shear flow at four points of (Ca, V)"
+echo "Computing $study: red cells at four points of (Ca, V), each by boundary integrals and on a lattice"
 id=$("$capstan" submit "$study" --watch --server "$server") || [ $? = 3 ]
 echo
 "$capstan" results "$id" --server "$server"
 echo
-"$capstan" phase-diagram "$id" --server "$server"
+diagram() { "$capstan" phase-diagram "$id" --at "fluid=$1" --server "$server"; }
+diagram stokes
+echo
+diagram quasisteady
+echo
+# The rows of both diagrams, whether or not a motion is confirmed.
+motions() { diagram "$1" | grep "|" | tr "[:lower:]" "[:upper:]"; }
+if [ "$(motions stokes)" = "$(motions quasisteady)" ]; then
+  echo "Both flow models give every cell the same kind of motion."
+else
+  echo "The flow models differ: compare the two diagrams."
+fi
 pid=$(curl -s "$server/healthz" | sed -n 's/.*"pid": \([0-9]*\).*/\1/p')
 cat <<END
 

@@ -20,10 +20,18 @@ function(capstan_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL;PREFIX" "")
   capstan_test_program(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE GTest::gmock_main)
+  if("${ARGN}" MATCHES "capstan::(solver|baseline)")
+    target_precompile_headers(${name} REUSE_FROM test_headers_openmp)
+  else()
+    target_precompile_headers(${name} REUSE_FROM test_headers)
+  endif()
   if(arg_LABEL STREQUAL "unit")
     add_dependencies(unit_tests ${name})
   endif()
+  # CTest begins with the highest cost: with the longest tests, so that no core is idle at the end.
+  set(from_short_to_long unit system physics slow)
+  list(FIND from_short_to_long ${arg_LABEL} cost)
   # NO_PRETTY_VALUES: the names of value-parameterised tests are those given in the sources.
-  gtest_discover_tests(${name} TEST_PREFIX "${arg_PREFIX}" NO_PRETTY_VALUES PROPERTIES LABELS ${arg_LABEL}
+  gtest_discover_tests(${name} TEST_PREFIX "${arg_PREFIX}" NO_PRETTY_VALUES PROPERTIES LABELS ${arg_LABEL} COST ${cost}
     ENVIRONMENT LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/support/lsan_suppressions.txt)
 endfunction()

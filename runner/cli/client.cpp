@@ -29,10 +29,14 @@ std::string why_unreachable(httplib::Error error, const std::string& server) {
          ")\nStart one with:  capstan serve\nor say where it is with:  --server URL";
 }
 
-ordered_json content(const httplib::Result& result, const std::string& server) {
+std::string body_of(const httplib::Result& result, const std::string& server) {
   if (!result) throw Unreachable(why_unreachable(result.error(), server));
   if (result->status >= 300) throw_refused(*result);
-  return ordered_json::parse(result->body);
+  return result->body;
+}
+
+ordered_json content(const httplib::Result& result, const std::string& server) {
+  return ordered_json::parse(body_of(result, server));
 }
 
 std::unique_ptr<httplib::ClientImpl> http_client(const ServerUrl& url) {
@@ -57,6 +61,10 @@ Client::~Client() = default;
 
 ordered_json Client::get(const std::string& path, const std::multimap<std::string, std::string>& query) {
   return content(http_->Get(prefix_ + path, query, httplib::Headers()), server_);
+}
+
+std::string Client::get_file(const std::string& path, const std::multimap<std::string, std::string>& query) {
+  return body_of(http_->Get(prefix_ + path, query, httplib::Headers()), server_);
 }
 
 void Client::for_each_page(const std::string& path, const std::string& list,

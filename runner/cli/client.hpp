@@ -41,6 +41,8 @@ class Client {
   /// \param query  parameters, not encoded; names may repeat
   nlohmann::ordered_json get(const std::string& path,
                              const std::multimap<std::string, std::string>& query = {});
+  /// The bytes of the response, of any type.
+  std::string get_file(const std::string& path, const std::multimap<std::string, std::string>& query);
   /// Calls `use` with the items of each page of a list.
   /// \param list  key of the items in a page, such as "studies"
   void for_each_page(const std::string& path, const std::string& list,

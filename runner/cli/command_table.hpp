@@ -10,10 +10,10 @@ namespace capstan {
 /// serve, doctor, backup, disk: they work on a data directory.
 std::vector<Command> data_commands();
 
-/// validate, submit, studies … why: they read a study file or ask a server.
+/// validate, plan, fidelity, submit … why: they read a study file, or ask a server.
 std::vector<Command> study_commands();
 
-/// solve, compare, estimate, bench: they compute in this process.
+/// solve, compare, estimate, tradeoff, bench: they compute in this process.
 std::vector<Command> worker_commands(const WorkerCommands& worker);
 
 }  // namespace capstan

@@ -5,6 +5,7 @@
 #include "runner/worker/compare.hpp"
 #include "runner/worker/estimate.hpp"
 #include "runner/worker/solve.hpp"
+#include "runner/worker/tradeoff.hpp"
 
 namespace {
 
@@ -26,13 +27,18 @@ int main(int argc, char** argv) {
       {.solve = solve_case,
        .compare = compare_models,
        .estimate = estimate_study,
+       .tradeoff = print_tradeoff,
        .benchmarks = {{"kernel", "the standard method against the memory's pace", "about two minutes",
                        printing(bench_kernel)},
                       {"cycle",
                        "a multigrid cycle on a uniform grid, a composite, a quarter; the parts of a step",
                        "about half a minute", printing(bench_cycle)},
-                      {"table1", "the speed-up over the standard method: the paper's Table I and Fig. 18",
+                      {"cavity", "cycles in a lid-driven cavity by the relaxation factor: the paper's Fig. 2",
+                       "about half a minute", printing(bench_cavity)},
+                      {"table1", "the speed-up over the standard method for red cells: the paper's Table I",
                        "about half a minute", printing(bench_table1)},
+                      {"fig18", "the same for spheres, by Ca and shear rate: the paper's Fig. 18",
+                       "about half a minute", printing(bench_fig18)},
                       {"scaling", "time and memory by resolution, threads and cases side by side",
                        "about a minute, more on many cores", printing(bench_scaling)}},
        .revision = kRevision});

@@ -11,6 +11,7 @@
 #include "runner/cli/usage_error.hpp"
 #include "runner/render/printable.hpp"
 #include "solver/case/content_id.hpp"
+#include "solver/run_directory/attempt_token.hpp"
 #include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
@@ -77,6 +78,8 @@ int run_reporting_errors(int argc, char** argv, const WorkerCommands& worker) {
     return report(error, kExitUnreachable);
   } catch (const std::invalid_argument& error) {
     return report(error, kExitInvalidInput);
+  } catch (const AttemptWithdrawn& error) {
+    return report(error, kExitInterrupted);
   } catch (const std::exception& error) {
     return report(error, kExitError);
   }

@@ -33,6 +33,9 @@ struct WorkerCommands {
   /// \param study  a valid study
   /// \param cores  number of cases that would run at the same time
   std::function<int(const Study& study, int cores, bool json)> estimate = nullptr;
+  /// `capstan tradeoff`.
+  /// \param scenes  their names; none: all
+  std::function<int(const std::vector<std::string>& scenes, bool json)> tradeoff = nullptr;
   /// `capstan bench`
   std::vector<Benchmark> benchmarks = {};
   /// git revision of the sources; empty if unknown

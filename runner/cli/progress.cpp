@@ -23,6 +23,12 @@ std::string counts_text(const ordered_json& cases) {
   return text;
 }
 
+/// Points that a search will probably still ask for.
+std::string expected_text(const ordered_json& study) {
+  const int expected = study.value("expected_points", 0);
+  return expected > 0 ? ", about " + std::to_string(expected) + " more expected" : "";
+}
+
 std::string percent(double progress) {
   const std::string number = std::to_string(static_cast<int>(100 * progress));
   return std::string(4 - std::min<std::size_t>(4, number.size()), ' ') + number + " %";
@@ -32,7 +38,7 @@ std::string percent(double progress) {
 
 std::string progress_text(const ordered_json& study) {
   const double progress = study["progress"];
-  return bar(progress) + percent(progress) + "  " + counts_text(study["cases"]);
+  return bar(progress) + percent(progress) + "  " + counts_text(study["cases"]) + expected_text(study);
 }
 
 std::string duration_text(std::chrono::seconds duration) {

@@ -42,6 +42,8 @@ std::string path_of_study(const std::string& id, const std::string& rest) {
   return "/v1/studies/" + id + rest;
 }
 
+bool is_study(const std::string& path) { return path.starts_with("/v1/studies/"); }
+
 std::string path_of_any(Client& client, const std::string& typed) {
   const ordered_json found = matches(client, typed);
   std::vector<std::string> named, paths;

@@ -10,6 +10,9 @@ namespace capstan {
 /// The path of the study on the server. \param rest  what follows it, such as "/cases"
 std::string path_of_study(const std::string& id, const std::string& rest = "");
 
+/// Whether the path on the server is that of a study.
+bool is_study(const std::string& path);
+
 /// The path of the study or case on the server. Throws Refused (404) if there is none, and
 /// std::invalid_argument, with all matches, if there are several.
 std::string path_of_any(Client& client, const std::string& typed);

@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -12,6 +14,8 @@
 #include "runner/daemon/local_executor.hpp"
 #include "runner/daemon/loop.hpp"
 #include "runner/doctor/database_checks.hpp"
+#include "runner/slurm/slurm_executor.hpp"
+#include "runner/slurm/time_limit.hpp"
 #include "runner/web/bearer_token.hpp"
 #include "runner/web/http_server.hpp"
 #include "solver/run_directory/exit_code.hpp"
@@ -47,6 +51,39 @@ void exit_within_a_second(int code) {
   }).detach();
 }
 
+bool uses_slurm(const ServeArguments& arguments) { return arguments.executor == "slurm"; }
+
+/// The program's own file, as jobs on other machines cannot start /proc/self/exe.
+SlurmSettings slurm_settings(const ServeArguments& arguments) {
+  if (arguments.wall_seconds > 0)
+    throw std::invalid_argument("--wall-time is for local cases; with --executor slurm use --time");
+  SlurmSettings settings{.program = std::filesystem::canonical("/proc/self/exe"),
+                         .jobs = static_cast<std::size_t>(arguments.jobs),
+                         .partition = arguments.partition,
+                         .account = arguments.account,
+                         .memory_mb = arguments.memory_mb};
+  if (!arguments.time.empty()) {
+    const auto time = parse_time_limit(arguments.time);
+    if (!time) throw std::invalid_argument("--time: \"" + arguments.time + "\" is no time of Slurm");
+    settings.max_time = *time;
+  }
+  std::istringstream words(arguments.extra);
+  for (std::string word; words >> word;) settings.extra.push_back(word);
+  return settings;
+}
+
+std::unique_ptr<Executor> executor_of(const ServeArguments& arguments, const DataDirectory& data,
+                                      const Clock& clock) {
+  if (!uses_slurm(arguments)) return std::make_unique<LocalExecutor>(arguments.cores);
+  return std::make_unique<SlurmExecutor>(slurm_settings(arguments), data.runs(), clock);
+}
+
+/// Slurm enforces the limits of its jobs itself.
+RunLimits limits_of(const ServeArguments& arguments) {
+  if (uses_slurm(arguments)) return {};
+  return {arguments.memory_mb, std::chrono::seconds(arguments.wall_seconds)};
+}
+
 }  // namespace
 
 int serve(const ServeArguments& arguments) {
@@ -58,26 +95,24 @@ int serve(const ServeArguments& arguments) {
                                 "CAPSTAN_TOKEN_FILE");
   hold_signals();
   keep_files_private();
-  warn_of_too_many_cores(arguments.cores);
+  if (!uses_slurm(arguments)) warn_of_too_many_cores(arguments.cores);
   keep_freed_memory();
   const SystemClock clock;
   const DataDirectory data(arguments.data);
-  LocalExecutor executor;
+  const std::unique_ptr<Executor> executor = executor_of(arguments, data, clock);
   std::optional<Service> service;
   HttpServer server(data.path(), access);
   address = server.listen_at(address);
   {
     const EndAtOnce ends_at_once;
     refuse_damaged_database(data.database());
-    service.emplace(data, executor, clock, arguments.cores,
-                    RunLimits{arguments.memory_mb, std::chrono::seconds(arguments.wall_seconds)},
+    service.emplace(data, *executor, clock, limits_of(arguments),
                     std::chrono::seconds(arguments.lease_seconds));
   }
   service->on_change(wake_loop);
   server.set_service(*service);
-  std::cout << "Capstan serves " << url_of(address) << " with " << arguments.cores
-            << (arguments.cores == 1 ? " core" : " cores") << ", data in " << data.path().string()
-            << std::endl;
+  std::cout << "Capstan serves " << url_of(address) << " with " << executor->slots() << " "
+            << executor->slot_name() << ", data in " << data.path().string() << std::endl;
   if (!std::cout) return kExitError;  // a script that waits for this line would wait for ever
   const bool is_recorded = work_until_terminated(
       *service, [&] { server.reopen_log(); }, [&] { server.trim_memory(); });

@@ -60,6 +60,12 @@ int parse_priority(const std::string& typed) {
   return priority;
 }
 
+/// The name of a preset, or an object of settings.
+ordered_json fidelity_of(const std::string& text) {
+  const ordered_json object = ordered_json::parse(text, nullptr, false);
+  return object.is_object() ? object : ordered_json(text);
+}
+
 }  // namespace
 
 int change_studies(const StudyArguments& arguments, const std::string& change) {
@@ -67,8 +73,9 @@ int change_studies(const StudyArguments& arguments, const std::string& change) {
 }
 
 int retry_studies(const StudyArguments& arguments) {
-  const std::string body =
-      arguments.fidelity ? ordered_json{{"fidelity", *arguments.fidelity}}.dump() : std::string();
+  const std::string body = arguments.fidelity
+                               ? ordered_json{{"fidelity", fidelity_of(*arguments.fidelity)}}.dump()
+                               : std::string();
   return post_change(arguments.server, arguments.ids, arguments.json, "retry", body);
 }
 

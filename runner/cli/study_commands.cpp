@@ -9,6 +9,7 @@
 #include "runner/cli/resolve.hpp"
 #include "runner/cli/study_text.hpp"
 #include "runner/cli/write_results.hpp"
+#include "runner/render/boundary_table.hpp"
 #include "runner/render/phase_diagram_text.hpp"
 #include "runner/render/printable.hpp"
 #include "runner/render/table.hpp"
@@ -95,6 +96,18 @@ int print_phase_diagrams(const StudyArguments& arguments) {
     const std::string title = ids.size() > 1 ? id + "\n" : "";
     return Answer{diagram,
                   title + phase_diagram_text(phase_diagram_from_json(diagram), colours_are_wanted())};
+  });
+}
+
+int print_boundaries(const StudyArguments& arguments) {
+  Client client(arguments.server);
+  const std::vector<std::string> ids = resolve_all(client, arguments.ids, study_id);
+  const bool as_json = arguments.json || arguments.format == "json";
+  return print_answers(ids, as_json, [&](const std::string& id) {
+    const ordered_json boundary = client.get(path_of_study(id, "/boundary"));
+    if (as_json) return Answer{boundary, ""};
+    if (arguments.format == "csv") return Answer{nullptr, as_csv(boundary_table(boundary))};
+    return Answer{nullptr, (ids.size() > 1 ? id + "\n" : "") + boundary_text(boundary)};
   });
 }
 

@@ -8,29 +8,6 @@
 #include "runner/study/input_file.hpp"
 
 namespace capstan {
-
-namespace {
-
-/// Whether a document holds the parameters of one case: a study has them in its "base".
-bool is_case(const nlohmann::json& document) {
-  if (!document.is_object() || document.contains("base") || document.contains("axes")) return false;
-  const auto is_given = [&](std::string_view parameter) { return document.contains(parameter); };
-  return std::ranges::any_of(scalar_parameters(), is_given);
-}
-
-}  // namespace
-
-InputDocument parse_document(const std::string& text) {
-  const ParsedJson json = parse_json(text);
-  if (!json.value) return {std::nullopt, std::nullopt, {}, json.issues};
-  if (is_case(*json.value)) {
-    ParsedCase parsed = parse_case(*json.value);
-    return {std::nullopt, std::move(parsed.value), std::move(parsed.choices), std::move(parsed.issues)};
-  }
-  ParsedStudy parsed = parse_study(*json.value);
-  return {std::move(parsed.value), std::nullopt, {}, std::move(parsed.issues)};
-}
-
 std::optional<Study> read_study_file(const std::string& file) {
   InputDocument document = parse_document(read_input(file));
   if (document.single_case)

@@ -13,7 +13,7 @@
 namespace capstan {
 
 /// Only the id goes to standard output, for scripts; messages and progress go to standard error.
-int submit_study(const SubmitArguments& arguments) {
+int submit_study_file(const SubmitArguments& arguments) {
   const auto study = read_study_file(arguments.file);
   if (!study) return kExitInvalidInput;
   Client client(arguments.server);

@@ -6,7 +6,9 @@
 #include "runner/cli/options.hpp"
 #include "runner/cli/study_file.hpp"
 #include "runner/daemon/usable_cores.hpp"
+#include "runner/slurm/solve_list.hpp"
 #include "runner/study/input_file.hpp"
+#include "solver/run_directory/attempt_token.hpp"
 #include "solver/run_directory/exit_code.hpp"
 #include "solver/run_directory/parent_daemon.hpp"
 #include "solver/run_directory/run_directory.hpp"
@@ -41,10 +43,32 @@ Command solve_command(const WorkerCommands& worker) {
       "Example:\n  capstan solve case.json --out runs/first\n",
       [solve = worker.solve](const SolveArguments& arguments) {
         end_with_daemon();
+        publish_only_as_own_attempt(RunDirectory(arguments.out));
         const int code = solve(arguments.file, arguments.out, arguments.wall_seconds);
         if (arguments.json && (code == kExitDone || code == kExitNoAnswer))
           std::cout << read_input(RunDirectory(arguments.out).result_file());
         return code;
+      });
+}
+
+struct SolveListArguments {
+  std::filesystem::path list, journal;
+};
+
+Command solve_list_command() {
+  return command<SolveListArguments>(
+      "solve-list", "compute the cases of a list one after another, as a job of a cluster does",
+      {[](CLI::App& parser, SolveListArguments& arguments) {
+        parser
+            .add_option("LIST", arguments.list, "the list: a token, an id and a run directory on each line")
+            ->required();
+        parser.add_option("--journal", arguments.journal, "where beginnings and ends are noted")->required();
+      }},
+      "SIGUSR1 and SIGTERM: the present case writes a checkpoint, and the job ends with exit code 75.\n"
+      "Example:\n  capstan solve-list 0.list --journal 0.journal\n",
+      [](const SolveListArguments& arguments) {
+        end_with_daemon();
+        return solve_list(arguments.list, arguments.journal);
       });
 }
 
@@ -92,6 +116,27 @@ Command estimate_command(const WorkerCommands& worker) {
       });
 }
 
+struct TradeoffArguments {
+  std::vector<std::string> scenes;
+  bool json = false;
+};
+
+Command tradeoff_command(const WorkerCommands& worker) {
+  return command<TradeoffArguments>(
+      "tradeoff", "measure time and error of many numerical settings on fixed scenes",
+      {[](CLI::App& parser, TradeoffArguments& arguments) {
+         parser.add_option("SCENE", arguments.scenes, "only these scenes (column scene); default: all");
+       },
+       options::json},
+      "Runs each scene with boundary integrals and on the lattice: at all rungs of resolution, and with each "
+      "setting alone changed from rung 2. Prints CSV, a row a run, with its distance to the finest rung of "
+      "the same flow model. All scenes take about a quarter of an hour on one core.\n"
+      "Example:\n  capstan tradeoff red_cell_0.25_4 > tradeoff.csv\n",
+      [tradeoff = worker.tradeoff](const TradeoffArguments& arguments) {
+        return tradeoff(arguments.scenes, arguments.json);
+      });
+}
+
 struct BenchmarkArguments {
   bool json = false;
 };
@@ -119,7 +164,8 @@ Command bench_command(const WorkerCommands& worker) {
 }  // namespace
 
 std::vector<Command> worker_commands(const WorkerCommands& worker) {
-  return {solve_command(worker), compare_command(worker), estimate_command(worker), bench_command(worker)};
+  return {solve_command(worker),    solve_list_command(),     compare_command(worker),
+          estimate_command(worker), tradeoff_command(worker), bench_command(worker)};
 }
 
 }  // namespace capstan

@@ -11,7 +11,7 @@ std::string add_case(Database& database, const Case& c) {
   auto [id, document] = canonical(c);
   database.execute(
       "INSERT INTO cases (id, document, numerics, cost) VALUES (?, ?, ?, ?) ON CONFLICT (id) DO NOTHING", id,
-      document, kNumericsVersion, run_cost(c));
+      document, kNumericsVersion, case_cost(c));
   database.execute("UPDATE cases SET state = 'queued', message = '' WHERE id = ? AND state = 'cancelled'",
                    id);
   return id;
@@ -46,7 +46,7 @@ void estimate_missing_costs(Database& database) {
   change_in_batches(
       database, "SELECT id, document FROM cases WHERE cost = 0 LIMIT ?", [&](const StoredCase& stored) {
         const ParsedCase parsed = parse_stored_case(stored.document);
-        const double cost = parsed.value ? run_cost(*parsed.value) : kOfARefusedCase;
+        const double cost = parsed.value ? case_cost(*parsed.value) : kOfARefusedCase;
         database.execute("UPDATE cases SET cost = ? WHERE id = ?", std::max(cost, kMin), stored.id);
       });
 }

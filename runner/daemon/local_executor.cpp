@@ -21,14 +21,16 @@ ProcessEnd end_of(int status) {
 
 }  // namespace
 
-LocalExecutor::LocalExecutor(std::filesystem::path program) : program_(std::move(program)) {}
+LocalExecutor::LocalExecutor(int cores, std::filesystem::path program)
+    : cores_(static_cast<std::size_t>(cores)), program_(std::move(program)) {}
 
-RunHandle LocalExecutor::start(const RunDirectory& directory) {
+RunHandle LocalExecutor::start(const Claim& claim, const RunDirectory& directory) {
   DirectoryLock lock(directory);
   if (!lock.take())
     throw std::system_error(EBUSY, std::generic_category(),
                             "another process computes in " + directory.path().string());
-  const pid_t pid = spawn_worker(program_, directory, lock.descriptor());
+  directory.remove_partial_files();
+  const pid_t pid = spawn_worker(program_, directory, claim.token, lock.descriptor());
   const ProcessIdentity child = identify(pid).value_or(ProcessIdentity{pid, "", ""});
   const RunHandle run = to_text(child);
   children_[run] = child;
@@ -54,6 +56,10 @@ std::optional<RunUsage> LocalExecutor::usage(const RunHandle& run) {
   const auto used = process ? usage_of(*process) : std::nullopt;
   if (!used) return std::nullopt;
   return RunUsage{used->cpu_seconds, used->resident_mb};
+}
+
+RunPlace LocalExecutor::place(const RunHandle& run) const {
+  return {.kind = "running", .details = "process " + run.substr(0, run.find(':'))};
 }
 
 bool LocalExecutor::wait_until_free(const RunDirectory& directory) {

@@ -1,5 +1,6 @@
 #include "runner/daemon/record_run.hpp"
 
+#include "runner/daemon/extend_search.hpp"
 #include "runner/recording/history.hpp"
 #include "runner/recording/result.hpp"
 #include "runner/store/fail_point.hpp"
@@ -27,6 +28,7 @@ void record_run(QueueWriter& writer, const Claim& claim, const RunDirectory& dir
   if (!writer.queue.end(claim, outcome.ending, outcome.message)) return;
   store_history_file(writer.database, claim.case_id, read_history(directory.history_file()));
   if (outcome.result) store_result(writer.database, claim.case_id, *outcome.result);
+  extend_searches_with(writer.database, claim.case_id);
   fail_point("recording");
   transaction.commit();
   fail_point("recorded");

@@ -8,28 +8,35 @@
 #include "runner/store/fail_point.hpp"
 
 namespace capstan {
+namespace {
+
+/// Starts in one tick, and histories read in one tick. On a cluster thousands of cases may be started or
+/// running; clients wait for the writer's mutex meanwhile.
+constexpr int kMaxStarts = 500;
+constexpr std::size_t kMaxHistories = 64;
+
+}  // namespace
 
 Scheduler::Scheduler(QueueWriter& writer, Executor& executor, const Clock& clock, const DataDirectory& data,
-                     const FreeSpace& free_space, std::size_t cores, RunLimits limits)
+                     const FreeSpace& free_space, RunLimits limits)
     : writer_(writer),
       executor_(executor),
       clock_(clock),
       data_(data),
       free_space_(free_space),
-      cores_(cores),
       limits_(limits) {}
 
 /// Handles the processes before it writes to the database, so that a run can be stopped even if the disk is
 /// full.
 void Scheduler::tick() {
-  std::exception_ptr error = for_each_run([this](Run& run) { supervise(run.supervision); });
+  std::exception_ptr error = read_cancellations();
+  if (const auto later = for_each_run([this](Run& run) { supervise(run.supervision); })) error = later;
   writer_.expect_sound();
   if (const auto later = for_each_run([this](Run& run) { record(run); })) error = later;
   std::erase_if(runs_, [](const Run& run) { return run.is_recorded; });
   writer_.queue.give_back_expired([this](const Claim& claim) { return has_run(claim); });
   remove_deleted_cases(writer_.database, data_);
-  while (!draining_ && runs_.size() < cores_ && start_next()) {
-  }
+  if (!draining_) start_runs();
   if (error) std::rethrow_exception(error);
 }
 
@@ -53,23 +60,58 @@ void Scheduler::supervise(RunSupervision& run) {
   if (run.end()) return;
   run.check_progress();
   run.enforce_limits();
-  if (draining_ || writer_.queue.is_to_be_cancelled(run.claim())) run.ask_to_stop();
+  if (draining_ || to_be_cancelled_.contains(run.claim().token)) run.ask_to_stop();
   run.poll();
+}
+
+void Scheduler::drain() {
+  draining_ = true;
+  if (executor_.outlives_daemon()) runs_.clear();
+}
+
+/// With one query for all runs, as there may be thousands. Returns the error, or nullptr: the runs are
+/// supervised in any case.
+std::exception_ptr Scheduler::read_cancellations() try {
+  if (!runs_.empty()) to_be_cancelled_ = writer_.queue.to_be_cancelled();
+  return nullptr;
+} catch (...) {
+  return std::current_exception();
+}
+
+/// With many runs, each waits for its turn.
+void Scheduler::record_news(Run& run) {
+  if (++run.ticks_since_read * kMaxHistories < runs_.size()) return;
+  run.ticks_since_read = 0;
+  const std::string& case_id = run.supervision.claim().case_id;
+  const HistoryTail::News news = run.history.read_new();
+  if (news.begin_anew)
+    store_history_file(writer_.database, case_id, {news.records});
+  else
+    store_history(writer_.database, case_id, news.first, news.records);
 }
 
 void Scheduler::record(Run& run) {
   const Claim& claim = run.supervision.claim();
-  const std::size_t first = run.history.size();
-  store_history(writer_.database, claim.case_id, first, run.history.read_new());
-  if (!run.supervision.end()) return run.supervision.keep_lease(writer_.queue);
+  record_news(run);
+  const std::optional<ProcessEnd>& end = run.supervision.end();
+  if (!end) return run.supervision.keep_lease(writer_.queue);
   const RunDirectory directory = data_.run(claim.case_id);
-  record_run(writer_, claim, directory, outcome_of_run(run.supervision, directory, free_space_));
+  if (end->how == ProcessEnd::How::not_begun)
+    writer_.queue.put_back(claim, describe(*end));
+  else
+    record_run(writer_, claim, directory, outcome_of_run(run.supervision, directory, free_space_));
   run.is_recorded = true;
 }
 
 bool Scheduler::has_run(const Claim& claim) const {
   return std::any_of(runs_.begin(), runs_.end(),
                      [&](const Run& run) { return run.supervision.claim().token == claim.token; });
+}
+
+void Scheduler::start_runs() {
+  const std::size_t waiting = writer_.queue.waiting();
+  for (int starts = 0; starts < kMaxStarts && executor_.has_room(runs_.size(), waiting); ++starts)
+    if (!start_next()) return;
 }
 
 /// Starts a run of the next case; false if no case can be started or the disk is almost full. If the run
@@ -93,20 +135,25 @@ bool Scheduler::start_next() {
     writer_.queue.put_back(*claim, std::string("could not be started: ") + error.what());
     throw;
   }
-  if (!is_complete) add_run(*claim, directory);
+  if (!is_complete) add_run(*claim);
   return true;
 }
 
 void Scheduler::start_process(Claim& claim, const RunDirectory& directory) {
   directory.prepare(claim.document);
+  directory.begin_attempt(claim.token);
   fail_point("prepared");
-  claim.handle = executor_.start(directory);
+  claim.handle = executor_.start(claim, directory);
   fail_point("spawned");
 }
 
-void Scheduler::add_run(const Claim& claim, const RunDirectory& directory) {
+void Scheduler::supervise_run(const Claim& claim) {
   runs_.push_back({RunSupervision(claim, executor_, clock_, limits_, writer_.queue.heartbeat()),
-                   HistoryTail(directory.history_file())});
+                   HistoryTail(data_.run(claim.case_id).history_file())});
+}
+
+void Scheduler::add_run(const Claim& claim) {
+  supervise_run(claim);
   writer_.queue.started(claim, claim.handle);
   fail_point("started");
 }

@@ -2,6 +2,8 @@
 // Keeps the cores busy: starts runs, supervises them, and records what they leave.
 #include <exception>
 #include <functional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "runner/daemon/free_space.hpp"
@@ -15,16 +17,18 @@ namespace capstan {
 /// Used by the thread of the loop alone.
 class Scheduler {
  public:
-  /// \param cores  max number of runs at the same time
   Scheduler(QueueWriter& writer, Executor& executor, const Clock& clock, const DataDirectory& data,
-            const FreeSpace& free_space, std::size_t cores, RunLimits limits);
+            const FreeSpace& free_space, RunLimits limits);
 
-  /// One round: supervises and records the runs, then starts new ones on free cores. An error that concerns
-  /// one run does not keep the others from their turn; the last error is thrown at the end. The caller holds
-  /// the writer's mutex.
+  /// One round: supervises and records the runs, then starts new ones where there is room. An error that
+  /// concerns one run does not keep the others from their turn; the last error is thrown at the end. The
+  /// caller holds the writer's mutex.
   void tick();
-  /// From now on no run is started, and those that run are asked to write a checkpoint and end.
-  void drain() { draining_ = true; }
+  /// From now on no run is started. Those that run are asked to write a checkpoint and end, or are left to
+  /// the next daemon if the executor's runs outlive this one.
+  void drain();
+  /// Adds a run that was started already, such as one that the executor has adopted.
+  void supervise_run(const Claim& claim);
   /// True if no process is left. An outcome may still have to be recorded, for example if the disk is full.
   bool has_ended() const;
   /// True if there is no run, not even one that has still to be recorded.
@@ -34,6 +38,7 @@ class Scheduler {
   struct Run {
     RunSupervision supervision;
     HistoryTail history;
+    std::size_t ticks_since_read = 0;  ///< of the history
     bool is_recorded = false;
   };
 
@@ -41,18 +46,21 @@ class Scheduler {
   void supervise(RunSupervision& run);
   void record(Run& run);
   bool has_run(const Claim& claim) const;
+  void record_news(Run& run);
+  std::exception_ptr read_cancellations();
+  void start_runs();
   bool start_next();
   void start_process(Claim& claim, const RunDirectory& directory);
-  void add_run(const Claim& claim, const RunDirectory& directory);
+  void add_run(const Claim& claim);
 
   QueueWriter& writer_;
   Executor& executor_;
   const Clock& clock_;
   const DataDirectory& data_;
   const FreeSpace& free_space_;
-  const std::size_t cores_;
   const RunLimits limits_;
   std::vector<Run> runs_;
+  std::set<std::string> to_be_cancelled_;  ///< tokens
   bool draining_ = false;
 };
 

@@ -5,16 +5,16 @@
 
 namespace capstan {
 
-Service::Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores,
-                 RunLimits limits, std::chrono::milliseconds lease)
+Service::Service(const DataDirectory& data, Executor& executor, const Clock& clock, RunLimits limits,
+                 std::chrono::milliseconds lease)
     : data_(data),
-      cores_(static_cast<std::size_t>(cores)),
+      executor_(executor),
       free_space_(data.runs()),
       writer_(data.database(), clock, lease),
       readers_(data.database(), writer_.database),
       submissions_(writer_, clock),
-      scheduler_(writer_, executor, clock, data, free_space_, cores_, limits) {
-  take_over(writer_, executor, data);
+      scheduler_(writer_, executor, clock, data, free_space_, limits) {
+  for (const Claim& claim : take_over(writer_, executor, data)) scheduler_.supervise_run(claim);
 }
 
 Submission Service::submit(const Study& study, const std::string& key) {
@@ -65,7 +65,18 @@ Issues Service::retry_at(const std::string& study_id, const nlohmann::json& fide
   return issues;
 }
 
+std::string Service::why_nothing_starts() const {
+  const std::string shortage = free_space_.shortage();
+  return shortage.empty() ? executor_.obstacle() : shortage;
+}
+
+RunPlaces Service::places() const {
+  return {executor_.slots(), executor_.slot_name(), why_nothing_starts(),
+          [this](const std::string& handle) { return executor_.place(handle); }};
+}
+
 void Service::tick() {
+  executor_.exchange();
   const std::lock_guard lock(writer_.mutex);
   scheduler_.tick();
 }

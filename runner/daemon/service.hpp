@@ -27,9 +27,8 @@ namespace capstan {
 class Service {
  public:
   /// Takes over from an earlier daemon (take_over.hpp).
-  /// \param cores  max number of runs at the same time
   /// \param lease  a run that uses no processor time for so long is killed
-  Service(const DataDirectory& data, Executor& executor, const Clock& clock, int cores, RunLimits limits = {},
+  Service(const DataDirectory& data, Executor& executor, const Clock& clock, RunLimits limits = {},
           std::chrono::milliseconds lease = JobQueue::kLease);
 
   // Clients. Changes throw DatabaseDamaged or DatabaseUnavailable if the database cannot be written to.
@@ -51,14 +50,16 @@ class Service {
   Issues retry_at(const std::string& study_id, const nlohmann::json& fidelity);
 
   /// Why no run is started, as a sentence for users; "" if runs are started.
-  std::string why_nothing_starts() const { return free_space_.shortage(); }
+  std::string why_nothing_starts() const;
   /// From now on nothing is written, as the database was found to be damaged.
   void report_damage(const std::string& what) { writer_.report_damage(what); }
   /// Throws DatabaseError if the database is damaged, or if its files were removed or replaced.
   void expect_sound_database() const { writer_.expect_sound(); }
 
   const DataDirectory& data() const { return data_; }
-  std::size_t cores() const { return cores_; }
+  /// Where the cases are computed. Valid as long as the service.
+  RunPlaces places() const;
+  const Executor& executor() const { return executor_; }
 
   // Before the service is used:
 
@@ -78,7 +79,7 @@ class Service {
   std::optional<int> change(const std::function<std::optional<int>(JobQueue&)>& action);
 
   const DataDirectory& data_;
-  const std::size_t cores_;
+  Executor& executor_;
   std::function<void()> changed_ = [] {};
   FreeSpace free_space_;
   QueueWriter writer_;

@@ -6,10 +6,11 @@
 
 #include <csignal>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "runner/daemon/child_environment.hpp"
+#include "solver/run_directory/attempt_token.hpp"
 #include "solver/run_directory/directory_lock.hpp"
 #include "solver/run_directory/parent_daemon.hpp"
 #include "solver/run_directory/stop_signals.hpp"
@@ -63,35 +64,26 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
-/// A worker uses one thread, because the cores are shared by simultaneous runs. The daemon's token is left
-/// out, as the environment of a process can be read in /proc.
-std::vector<std::string> worker_environment() {
-  std::vector<std::string> environment;
-  for (char** entry = environ; *entry; ++entry) {
-    const std::string_view variable(*entry);
-    if (!variable.starts_with("OMP_NUM_THREADS=") && !variable.starts_with("CAPSTAN_TOKEN"))
-      environment.emplace_back(variable);
-  }
+/// A worker uses one thread, because the cores are shared by simultaneous runs.
+std::vector<std::string> worker_environment(const std::string& token) {
+  std::vector<std::string> environment = child_environment();
+  std::erase_if(environment, [](const std::string& entry) { return entry.starts_with("OMP_NUM_THREADS="); });
   environment.emplace_back("OMP_NUM_THREADS=1");
   environment.push_back(std::string(kDaemonVariable) + "=" + std::to_string(getpid()));
+  environment.push_back(std::string(kTokenVariable) + "=" + token);
   return environment;
-}
-
-std::vector<char*> pointers(std::vector<std::string>& words) {
-  std::vector<char*> all;
-  for (std::string& word : words) all.push_back(word.data());
-  all.push_back(nullptr);
-  return all;
 }
 
 }  // namespace
 
-pid_t spawn_worker(const std::filesystem::path& program, const RunDirectory& directory, int lock) {
+pid_t spawn_worker(const std::filesystem::path& program, const RunDirectory& directory,
+                   const std::string& token, int lock) {
   std::vector<std::string> words = {"capstan", "solve", directory.case_file(), "--out", directory.path()};
-  std::vector<std::string> environment = worker_environment();
+  std::vector<std::string> environment = worker_environment(token);
   pid_t pid = 0;
-  const int error = posix_spawn(&pid, program.c_str(), FileActions(directory.log_file(), lock).get(),
-                                Attributes().get(), pointers(words).data(), pointers(environment).data());
+  const int error =
+      posix_spawn(&pid, program.c_str(), FileActions(directory.log_file(), lock).get(), Attributes().get(),
+                  pointers_to(words).data(), pointers_to(environment).data());
   if (error != 0) throw std::system_error(error, std::generic_category(), "cannot start " + program.string());
   return pid;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "runner/daemon/case_rows.hpp"
+#include "runner/daemon/extend_search.hpp"
 #include "runner/daemon/points.hpp"
 #include "runner/store/fail_point.hpp"
 #include "runner/study/small_letters.hpp"
@@ -78,6 +79,7 @@ Submission submit_study(Database& database, const Clock& clock, const Study& stu
     submission.is_resumed = !is_same_request && resume(database, submission.study_id);
   }
   withdraw_cancellations(database, submission.study_id);
+  extend_search(database, submission.study_id);  // its first points may be known cases
   fail_point("submitting");
   transaction.commit();
   return submission;

@@ -1,6 +1,7 @@
 #include "runner/daemon/take_over.hpp"
 
 #include "runner/daemon/case_rows.hpp"
+#include "runner/daemon/extend_search.hpp"
 #include "runner/daemon/outcome_of_run.hpp"
 #include "runner/daemon/points.hpp"
 #include "runner/daemon/record_run.hpp"
@@ -19,13 +20,20 @@ void end_run(QueueWriter& writer, Executor& executor, const Claim& claim, const 
 
 }  // namespace
 
-void take_over(QueueWriter& writer, Executor& executor, const DataDirectory& data) {
-  for (const Claim& claim : writer.queue.running()) end_run(writer, executor, claim, data.run(claim.case_id));
+std::vector<Claim> take_over(QueueWriter& writer, Executor& executor, const DataDirectory& data) {
+  std::vector<Claim> adopted;
+  for (const Claim& claim : writer.queue.running())
+    if (const RunDirectory directory = data.run(claim.case_id); executor.adopt(claim, directory))
+      adopted.push_back(claim);
+    else
+      end_run(writer, executor, claim, directory);
   derive_old_points(writer.database);
   estimate_missing_costs(writer.database);
   replace_outdated(writer.database);
+  extend_all_searches(writer.database);
   for (const RunDirectory& orphan : orphaned_runs(data.runs(), writer.database))
     if (orphan.is_worthless()) std::filesystem::remove_all(orphan.path());
+  return adopted;
 }
 
 }  // namespace capstan

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -47,10 +48,16 @@ int cores_by_quota(const std::filesystem::path& root, const std::string& group) 
   }
 }
 
+int cores_by_slurm() {
+  const char* cores = std::getenv("SLURM_CPUS_ON_NODE");
+  return cores ? std::max(0, std::atoi(cores)) : 0;
+}
+
 int usable_cores() {
-  const int quota = cores_by_quota(kControlGroups, own_control_group());
-  const int set = std::max(1, cores_by_affinity());
-  return quota > 0 ? std::min(quota, set) : set;
+  int cores = std::max(1, cores_by_affinity());
+  for (const int limit : {cores_by_quota(kControlGroups, own_control_group()), cores_by_slurm()})
+    if (limit > 0) cores = std::min(cores, limit);
+  return cores;
 }
 
 }  // namespace capstan

@@ -1,5 +1,7 @@
 #include "runner/doctor/run_checks.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "runner/recording/history.hpp"
 #include "runner/store/orphaned_runs.hpp"
 #include "solver/run_directory/durable_file.hpp"

@@ -18,7 +18,8 @@ constexpr int kReplacesColumn = 10, kFirstPositionColumn = 12;
 void add_result(ordered_json& shown, const std::string& document) {
   static const std::initializer_list<std::string> shown_already = {"format", "case", "choices", "message",
                                                                    "motion"};
-  for (const char* key : {"stop", "explanation", "evidence", "final", "cost", "trust"}) shown[key] = nullptr;
+  for (const char* key : {"stop", "explanation", "evidence", "final", "cost", "trust", "confirmed", "error"})
+    shown[key] = nullptr;
   if (document.empty()) return;
   const ordered_json result = ordered_json::parse(document);
   for (const auto& [key, value] : result.items())
@@ -27,7 +28,7 @@ void add_result(ordered_json& shown, const std::string& document) {
 
 /// Share of the run that is computed, from 0 to 1.
 double progress(const std::string& state, double kt, double end_kt) {
-  const CaseState parsed = parse_case_state(state).value();
+  const CaseState parsed = parse_word<CaseState>(state).value();
   return has_ended(parsed) && parsed != CaseState::cancelled ? 1.0 : std::min(1.0, kt / end_kt);
 }
 

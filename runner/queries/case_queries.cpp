@@ -71,10 +71,12 @@ Page find_cases(Database& database, const std::string& study_id, const CaseFilte
 std::vector<PointMotion> find_points(Database& database, const std::string& study_id) {
   std::vector<PointMotion> points;
   Statement row = database.query(
-      "SELECT c.id, c.state, r.motion, s.asked FROM study_cases s JOIN cases c ON c.id = s.case_id"
+      "SELECT c.id, c.state, r.motion, s.asked, r.document ->> '$.confirmed' FROM study_cases s JOIN cases c "
+      "ON c.id = s.case_id"
       " LEFT JOIN results r ON r.case_id = c.id WHERE s.study_id = ? ORDER BY s.position",
       study_id);
-  while (row.step()) points.push_back({row.text(0), row.text(1), row.text(2), json::parse(row.text(3))});
+  while (row.step())
+    points.push_back({row.text(0), row.text(1), row.text(2), json::parse(row.text(3)), row.integer(4) != 0});
   return points;
 }
 

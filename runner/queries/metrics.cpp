@@ -3,10 +3,6 @@
 namespace capstan {
 namespace {
 
-std::string described(const std::string& name, const std::string& type, const std::string& help) {
-  return "# HELP " + name + " " + help + "\n# TYPE " + name + " " + type + "\n";
-}
-
 /// One line for each row of the query: label value and number.
 std::string counted(Database& database, const std::string& name, const std::string& label, const char* sql) {
   std::string lines;
@@ -24,16 +20,20 @@ std::string counted(Database& database, const std::string& name, const char* sql
 
 }  // namespace
 
+std::string metric_description(const std::string& name, const std::string& type, const std::string& help) {
+  return "# HELP " + name + " " + help + "\n# TYPE " + name + " " + type + "\n";
+}
+
 std::string metrics_text(Database& database, std::size_t cores) {
-  return described("capstan_cases", "gauge", "Cases by state.") +
+  return metric_description("capstan_cases", "gauge", "Cases by state.") +
          counted(database, "capstan_cases", "state",
                  "SELECT name, count FROM totals WHERE what = 'cases' AND count > 0") +
-         described("capstan_studies", "gauge", "Studies.") +
+         metric_description("capstan_studies", "gauge", "Studies.") +
          counted(database, "capstan_studies", "SELECT count(*) FROM schedule") +
-         described("capstan_attempts_total", "counter", "Attempts by the way they ended.") +
+         metric_description("capstan_attempts_total", "counter", "Attempts by the way they ended.") +
          counted(database, "capstan_attempts_total", "ending",
                  "SELECT name, count FROM totals WHERE what = 'attempts'") +
-         described("capstan_cores", "gauge", "Cases that may run side by side.") + "capstan_cores " +
+         metric_description("capstan_cores", "gauge", "Cases that may run side by side.") + "capstan_cores " +
          std::to_string(cores) + "\n";
 }
 

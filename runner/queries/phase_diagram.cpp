@@ -44,6 +44,7 @@ void add_point(PhaseCell& cell, const PointMotion& point) {
   merge(cell.motion, point.motion);
   merge(cell.state, point.state);
   cell.cases.push_back(point.case_id);
+  cell.is_confirmed = cell.is_confirmed && point.is_confirmed;
 }
 
 ordered_json to_json(const PhaseAxis& axis) {
@@ -75,7 +76,8 @@ ordered_json to_json(const PhaseDiagram& diagram) {
     for (const PhaseCell& cell : cells)
       row.push_back({{"motion", cell.motion.empty() ? ordered_json() : ordered_json(cell.motion)},
                      {"state", cell.state},
-                     {"cases", cell.cases}});
+                     {"cases", cell.cases},
+                     {"confirmed", cell.motion.empty() ? ordered_json() : ordered_json(cell.is_confirmed)}});
     rows.push_back(row);
   }
   return {{"x", to_json(diagram.x)}, {"y", to_json(diagram.y)}, {"at", diagram.at}, {"rows", rows}};
@@ -88,7 +90,7 @@ PhaseDiagram phase_diagram_from_json(const ordered_json& json) {
     auto& cells = diagram.rows.emplace_back();
     for (const ordered_json& cell : row)
       cells.push_back({cell["motion"].is_string() ? cell["motion"].get<std::string>() : "", cell["state"],
-                       cell["cases"].get<std::vector<std::string>>()});
+                       cell["cases"].get<std::vector<std::string>>(), cell["confirmed"] == true});
   }
   return diagram;
 }

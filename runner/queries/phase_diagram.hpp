@@ -20,6 +20,7 @@ struct PhaseCell {
   std::string motion;  ///< common motion of its cases; "mixed" if they differ, "" before there is one
   std::string state;   ///< common state of its cases; "mixed" if they differ
   std::vector<std::string> cases;  ///< ids
+  bool is_confirmed = true;        ///< the motion of all of them
 };
 
 struct PhaseDiagram {

@@ -45,6 +45,7 @@ struct PointMotion {
   std::string state;
   std::string motion;  ///< "" before there is an answer
   nlohmann::json asked;
+  bool is_confirmed = false;  ///< the motion (schema/run_directory.md)
 };
 std::vector<PointMotion> find_points(Database& database, const std::string& study_id);
 

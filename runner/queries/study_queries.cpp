@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 
+#include "runner/queries/boundary.hpp"
 #include "runner/queue/case_state.hpp"
 #include "runner/store/timestamp.hpp"
 #include "solver/run_directory/result_words.hpp"
@@ -16,9 +17,10 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* kColumns =
-    "SELECT s.id, name, description, submitted_at, cancelled_at, axes, notes, priority, is_paused, s.number"
+    "SELECT s.id, name, description, submitted_at, cancelled_at, axes, notes, priority, is_paused, s.number,"
+    " document -> '$.boundary'"
     " FROM studies s JOIN schedule USING (number) ";
-constexpr int kNumber = 9;
+constexpr int kNumber = 9, kBoundary = 10;
 
 /// One row of the table `tallies`: number and summed cost (estimated seconds of one core) of the cases in a
 /// state, or the number of points.
@@ -47,9 +49,9 @@ class Tallies {
 ordered_json count_states(const Tallies& tallies) {
   ordered_json counts = {{"total", 0}};
   std::int64_t total = 0;
-  for (const CaseState state : kCaseStates) {
-    const std::int64_t count = tallies.of(to_string(state)).count;
-    counts[std::string(to_string(state))] = count;
+  for (const std::string_view state : words_of<CaseState>()) {
+    const std::int64_t count = tallies.of(state).count;
+    counts[std::string(state)] = count;
     total += count;
   }
   counts["total"] = total;
@@ -59,8 +61,8 @@ ordered_json count_states(const Tallies& tallies) {
 /// Number of the study's points of each motion.
 ordered_json count_motions(const Tallies& tallies) {
   ordered_json counts;
-  for (const Motion motion : kMotions)
-    counts[std::string(to_string(motion))] = tallies.of(to_string(motion)).count;
+  for (const std::string_view motion : words_of<Motion>())
+    counts[std::string(motion)] = tallies.of(motion).count;
   return counts;
 }
 
@@ -77,18 +79,21 @@ double cost_begun(Database& database, const std::string& study_id) {
 
 /// Computed share of the study's cost, from 0 to 1. Cancelled cases count as not computed, also after the end
 /// of the study. Rounded, because the sums of costs are not exact.
-double progress(Database& database, const std::string& study_id, const Tallies& tallies) {
+/// \param expected  points that a search will probably still ask for; they cost as much as the others
+double progress(Database& database, const std::string& study_id, const Tallies& tallies, int expected) {
   double total = 0, ended = 0;
-  std::int64_t missing = 0;
-  for (const CaseState state : kCaseStates) {
-    const Tally tally = tallies.of(to_string(state));
+  std::int64_t missing = 0, known = 0;
+  for (const auto& [state, word] : kWords<CaseState>) {
+    const Tally tally = tallies.of(word);
     total += tally.cost;
+    known += tally.count;
     if (has_ended(state) && state != CaseState::cancelled)
       ended += tally.cost;
     else
       missing += tally.count;
   }
   if (missing == 0) return 1;
+  total += total * expected / static_cast<double>(known);
   constexpr double kDigits = 1e6;
   const double share = (ended + cost_begun(database, study_id)) / total;
   return std::clamp(std::round(kDigits * share) / kDigits, 0.0, 1.0);
@@ -115,11 +120,14 @@ ordered_json study_of(Database& database, const Statement& row) {
   study["priority"] = row.integer(7);
   study["axes"] = ordered_json::parse(row.text(5));
   study["notes"] = ordered_json::parse(row.text(6));
+  study["boundary"] = row.is_null(kBoundary) ? ordered_json() : ordered_json::parse(row.text(kBoundary));
   study["points"] = tallies.of("points").count;
   study["cases"] = count_states(tallies);
   study["state"] = state_of(study);
+  const bool is_searching = !study["boundary"].is_null() && study["state"] != "done";
+  study["expected_points"] = is_searching ? expected_points(database, id) : 0;
   study["motions"] = count_motions(tallies);
-  study["progress"] = progress(database, id, tallies);
+  study["progress"] = progress(database, id, tallies, study["expected_points"]);
   return study;
 }
 

@@ -13,7 +13,7 @@ std::int64_t number(Statement row) {
 }
 
 /// Adds one reason for each study that contains the case.
-void add_reason_of_study(Database& database, const Statement& study, std::size_t cores,
+void add_reason_of_study(Database& database, const Statement& study, const RunPlaces& places,
                          ordered_json& reasons) {
   const std::string id = "study " + study.text(0);
   if (study.integer(1) != 0) return reasons.push_back(id + " is cancelled");
@@ -28,11 +28,12 @@ void add_reason_of_study(Database& database, const Statement& study, std::size_t
   const auto running = number(database.query("SELECT count(*) FROM cases WHERE state = 'running'"));
   reasons.push_back("in " + id + " " + std::to_string(ahead) + " cases are before it, " +
                     std::to_string(others) + " other studies take turns or go first, and " +
-                    std::to_string(running) + " cases run on " + std::to_string(cores) + " cores");
+                    std::to_string(running) + " cases run on " + std::to_string(places.slots) + " " +
+                    places.slot_name);
 }
 
 ordered_json why_queued(Database& database, const std::string& case_id, const std::string& message,
-                        std::int64_t not_before, std::size_t cores) {
+                        std::int64_t not_before, const RunPlaces& places) {
   ordered_json reasons = ordered_json::array();
   if (!message.empty()) reasons.push_back(message);
   if (not_before > 0) reasons.push_back("not tried again before " + timestamp(not_before));
@@ -40,33 +41,44 @@ ordered_json why_queued(Database& database, const std::string& case_id, const st
       "SELECT s.id, s.cancelled_at IS NOT NULL, is_paused, s.number, min(position) FROM study_cases w"
       " JOIN studies s ON s.id = w.study_id JOIN schedule USING (number) WHERE w.case_id = ? GROUP BY s.id",
       case_id);
-  while (study.step()) add_reason_of_study(database, study, cores, reasons);
+  while (study.step()) add_reason_of_study(database, study, places, reasons);
+  if (!places.obstacle.empty()) reasons.push_back(places.obstacle);
   return reasons;
 }
 
-ordered_json why_running(Database& database, const std::string& case_id) {
+ordered_json why_running(Database& database, const std::string& case_id, const RunPlaces& places) {
   Statement row = database.query(
       "SELECT attempt, started_at, handle FROM attempts WHERE case_id = ? ORDER BY attempt DESC LIMIT 1",
       case_id);
   row.step();
-  return {"it runs since " + timestamp(row.integer(1)) + ", attempt " + std::to_string(row.integer(0)) +
-          ", process " + row.text(2).substr(0, row.text(2).find(':'))};
+  const RunPlace place = places.place_of(row.text(2));
+  return {std::string(place.is_waiting ? "it was handed over at " : "it runs since ") +
+          timestamp(row.integer(1)) + ", attempt " + std::to_string(row.integer(0)) + ", " + place.details};
 }
 
 }  // namespace
 
-std::optional<ordered_json> why(Database& database, const std::string& case_id, std::size_t cores,
-                                const std::string& obstacle) {
+void add_place(Database& database, const RunPlaces& places, ordered_json& shown) {
+  if (shown["state"] != "running") return;
+  Statement row = database.query("SELECT handle FROM attempts WHERE case_id = ? AND attempt = ?",
+                                 shown["id"].get<std::string>(), shown["attempt"].get<std::int64_t>());
+  if (row.step()) shown["where"] = places.place_of(row.text(0)).details;
+}
+
+void add_places(Database& database, const RunPlaces& places, ordered_json& cases) {
+  for (ordered_json& shown : cases) add_place(database, places, shown);
+}
+
+std::optional<ordered_json> why(Database& database, const std::string& case_id, const RunPlaces& places) {
   Statement row = database.query("SELECT state, message, not_before FROM cases WHERE id = ?", case_id);
   if (!row.step()) return std::nullopt;
   const std::string state = row.text(0);
   ordered_json answer = {{"id", case_id}, {"state", state}};
   if (state == "queued")
-    answer["reasons"] = why_queued(database, case_id, row.text(1), row.integer(2), cores);
-  if (state == "queued" && !obstacle.empty()) answer["reasons"].push_back(obstacle);
+    answer["reasons"] = why_queued(database, case_id, row.text(1), row.integer(2), places);
   if (state == "queued") return answer;
   if (state == "running")
-    answer["reasons"] = why_running(database, case_id);
+    answer["reasons"] = why_running(database, case_id, places);
   else
     answer["reasons"] = {row.text(1).empty() ? "it has an answer" : row.text(1)};
   return answer;

@@ -4,19 +4,23 @@
 #include <optional>
 #include <string>
 
+#include "runner/queries/run_place.hpp"
 #include "runner/store/database.hpp"
 
 namespace capstan {
 
 /// {"id", "state", "reasons": ["..."]}; nothing if there is no such case.
-/// \param cores  number of cases that the daemon runs at once
-/// \param obstacle  what prevents the start of any case, or ""
-std::optional<nlohmann::ordered_json> why(Database& database, const std::string& case_id, std::size_t cores,
-                                          const std::string& obstacle = "");
+std::optional<nlohmann::ordered_json> why(Database& database, const std::string& case_id,
+                                          const RunPlaces& places);
+
+/// Adds where it is to a running case, such as {"where": "Slurm's job 17_3 on node n1"}.
+void add_place(Database& database, const RunPlaces& places, nlohmann::ordered_json& shown);
+/// The same for a list of cases.
+void add_places(Database& database, const RunPlaces& places, nlohmann::ordered_json& cases);
 
 /// {"id", "state", "reasons": [{"cases": 3, "reason": "..."}]}: the study's cases grouped by reason. Nothing
 /// if there is no such study.
 std::optional<nlohmann::ordered_json> why_study(Database& database, const std::string& study_id,
-                                                const std::string& obstacle = "");
+                                                const RunPlaces& places);
 
 }  // namespace capstan

@@ -48,11 +48,12 @@ class Reasons {
   std::map<std::string, std::size_t> kinds_;  ///< index in the list, by state and message without numbers
 };
 
-std::string why_it_waits(const ordered_json& study, const std::string& obstacle) {
+std::string why_it_waits(const ordered_json& study, const RunPlaces& places) {
   if (study["cancelled"]) return "queued for another study; this one is cancelled";
   if (study["paused"]) return "queued; the study is paused: capstan resume " + study["id"].get<std::string>();
-  if (!obstacle.empty()) return "queued; " + obstacle;
-  return "queued until a core is free and it is this study's turn";
+  if (!places.obstacle.empty()) return "queued; " + places.obstacle;
+  return "queued until there is room (" + std::to_string(places.slots) + " " + places.slot_name +
+         ") and it is this study's turn";
 }
 
 /// Adds the cases in this state that have a message. Returns their number.
@@ -67,17 +68,29 @@ std::int64_t add_messages(Database& database, const std::string& study_id, const
   return cases;
 }
 
+/// Adds the running cases, by where they are.
+void add_running(Database& database, const std::string& study_id, const RunPlaces& places, Reasons& reasons) {
+  std::map<std::string, std::int64_t> cases_at;
+  Statement row = database.query(
+      "SELECT DISTINCT c.id, a.handle FROM study_cases w JOIN cases c ON c.id = w.case_id"
+      " JOIN attempts a ON a.case_id = c.id AND a.attempt = c.attempt WHERE w.study_id = ? AND c.state ="
+      " 'running'",
+      study_id);
+  while (row.step()) ++cases_at[places.place_of(row.text(1)).kind];
+  for (const auto& [kind, cases] : cases_at) reasons.add(cases, kind);
+}
+
 }  // namespace
 
 std::optional<ordered_json> why_study(Database& database, const std::string& study_id,
-                                      const std::string& obstacle) {
+                                      const RunPlaces& places) {
   const auto study = find_study(database, study_id);
   if (!study) return std::nullopt;
   const auto count = [&](const char* state) { return (*study)["cases"][state].get<std::int64_t>(); };
   Reasons reasons;
   const std::int64_t to_be_tried_again = add_messages(database, study_id, "queued", reasons);
-  reasons.add(count("queued") - to_be_tried_again, why_it_waits(*study, obstacle));
-  reasons.add(count("running"), "running");
+  reasons.add(count("queued") - to_be_tried_again, why_it_waits(*study, places));
+  add_running(database, study_id, places, reasons);
   for (const char* state : {"failed", "diverged", "cancelled"})
     add_messages(database, study_id, state, reasons);
   reasons.add(count("done"), "done, with an answer");

@@ -1,19 +1,10 @@
 #include "runner/queue/job_queue.hpp"
 
-#include <random>
-
 #include "runner/store/fail_point.hpp"
+#include "solver/run_directory/attempt_token.hpp"
 
 namespace capstan {
 namespace {
-
-/// 128 random bits: no two claims share a token.
-std::string new_token() {
-  std::random_device entropy;
-  std::string token;
-  for (int i = 0; i < 4; ++i) token += std::to_string(entropy()) + (i < 3 ? "-" : "");
-  return token;
-}
 
 Claim read_claim(const Statement& row) {
   return {row.text(0), row.text(1), row.text(2), static_cast<int>(row.integer(3)), row.text(4)};
@@ -85,19 +76,32 @@ std::optional<Claim> JobQueue::claim() {
       " ORDER BY s.priority DESC, s.served, s.number, w.position LIMIT 1",
       now, Time(now + kBackOff));
   if (!turn.step()) return std::nullopt;
-  Statement row = database_.query(
-      "UPDATE cases SET state = 'running', message = '', attempt = attempt + 1, token = ?, lease_until = ?"
-      " WHERE id = ? RETURNING id, document, token, attempt, ''",
-      new_token(), Time(now + lease_), turn.text(1));
-  row.step();
-  const Claim claim = read_claim(row);
-  row.step();
+  const std::optional<Claim> claim = claim_queued(turn.text(1), now);
   database_.execute("UPDATE schedule SET served = 1 + (SELECT max(served) FROM schedule) WHERE number = ?",
                     turn.integer(0));
-  database_.execute("INSERT INTO attempts (case_id, attempt, started_at) VALUES (?, ?, ?)", claim.case_id,
-                    claim.attempt, now);
   transaction.commit();
   fail_point("claimed");
+  return claim;
+}
+
+std::optional<Claim> JobQueue::claim_case(const std::string& case_id) {
+  Transaction transaction(database_, Survives::kill);
+  const std::optional<Claim> claim = claim_queued(case_id, clock_.now());
+  transaction.commit();
+  return claim;
+}
+
+/// Nothing if the case is not queued.
+std::optional<Claim> JobQueue::claim_queued(const std::string& case_id, Time now) {
+  Statement row = database_.query(
+      "UPDATE cases SET state = 'running', message = '', attempt = attempt + 1, token = ?, lease_until = ?"
+      " WHERE id = ? AND state = 'queued' RETURNING id, document, token, attempt, ''",
+      new_token(), Time(now + lease_), case_id);
+  if (!row.step()) return std::nullopt;
+  const Claim claim = read_claim(row);
+  row.step();
+  database_.execute("INSERT INTO attempts (case_id, attempt, started_at) VALUES (?, ?, ?)", claim.case_id,
+                    claim.attempt, now);
   return claim;
 }
 
@@ -177,11 +181,16 @@ bool JobQueue::end(const Claim& claim, RunEnding ending, const std::string& reas
   return true;
 }
 
-bool JobQueue::is_to_be_cancelled(const Claim& claim) {
-  return database_
-      .query("SELECT 1 FROM cases WHERE id = ? AND token = ? AND cancel_requested", claim.case_id,
-             claim.token)
-      .step();
+std::set<std::string> JobQueue::to_be_cancelled() {
+  std::set<std::string> tokens;
+  Statement row = database_.query("SELECT token FROM cases WHERE state = 'running' AND cancel_requested");
+  while (row.step()) tokens.insert(row.text(0));
+  return tokens;
+}
+
+std::size_t JobQueue::waiting() {
+  Statement row = database_.query("SELECT count FROM totals WHERE what = 'cases' AND name = 'queued'");
+  return row.step() ? static_cast<std::size_t>(row.integer(0)) : 0;
 }
 
 std::vector<Claim> JobQueue::running() {

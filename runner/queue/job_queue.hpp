@@ -20,6 +20,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,6 +69,9 @@ class JobQueue {
   /// study, the first waiting point. Nothing if no case can be started.
   std::optional<Claim> claim();
 
+  /// Claims this case; nothing if it is not queued. For a result that was computed elsewhere.
+  std::optional<Claim> claim_case(const std::string& case_id);
+
   /// Stores the executor's name for the run.
   void started(const Claim& claim, const std::string& handle);
 
@@ -82,8 +86,11 @@ class JobQueue {
   /// queued again; after kMaxCrashes crashes it becomes failed.
   bool end(const Claim& claim, RunEnding ending, const std::string& reason);
 
-  /// True if the cancellation of the running case was requested.
-  bool is_to_be_cancelled(const Claim& claim);
+  /// Tokens of the running cases whose cancellation was requested.
+  std::set<std::string> to_be_cancelled();
+
+  /// Number of queued cases.
+  std::size_t waiting();
 
   /// All claims: a new daemon reconciles them with the run directories.
   std::vector<Claim> running();
@@ -96,6 +103,7 @@ class JobQueue {
   });
 
  private:
+  std::optional<Claim> claim_queued(const std::string& case_id, Time now);
   std::optional<int> queued_cases(const std::string& study_id);
   bool end_attempt(const Claim& claim, RunEnding ending, const std::string& reason);
   void requeue(const Claim& claim, const std::string& reason);

@@ -1,5 +1,7 @@
 #include "runner/recording/history.hpp"
 
+#include <sys/stat.h>
+
 #include <fstream>
 #include <sstream>
 
@@ -37,21 +39,34 @@ Record stored_record(const Statement& row) {
   return record;
 }
 
+/// The number of the file in its file system, also through a symbolic link; 0 if there is no such file.
+ino_t inode_of(const std::filesystem::path& file) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 ? status.st_ino : 0;
+}
+
 }  // namespace
 
-History HistoryTail::read_new() {
-  History records;
+HistoryTail::News HistoryTail::read_new() {
+  const ino_t inode = inode_of(file_);
+  const bool is_another = inode != inode_;
+  if (is_another) {
+    inode_ = inode;
+    offset_ = 0;
+    size_ = 0;
+  }
+  News news{size_, {}, is_another && inode != 0};
   std::ifstream stream(file_, std::ios::binary);
   stream.seekg(offset_);
   std::string line;
   while (std::getline(stream, line) && !stream.eof()) {  // eof: the line has no line end yet
     const auto record = parse_record(line);
     if (!record) break;
-    records.push_back(*record);
+    news.records.push_back(*record);
     offset_ += static_cast<std::streamoff>(line.size()) + 1;
   }
-  size_ += records.size();
-  return records;
+  size_ += news.records.size();
+  return news;
 }
 
 /// Text after the last line end is ignored: the process ended while it was writing that line.

@@ -1,5 +1,7 @@
 #pragma once
 // The history of a run: history.jsonl, and its rows in the database.
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 
@@ -8,19 +10,23 @@
 
 namespace capstan {
 
-/// Follows one history.jsonl while its worker appends to it.
+/// Follows one history.jsonl while its worker appends to it, or replaces it by that of a finer rung.
 class HistoryTail {
  public:
   explicit HistoryTail(std::filesystem::path file) : file_(std::move(file)) {}
 
+  struct News {
+    std::size_t first = 0;  ///< number of the first record
+    History records;
+    bool begin_anew =
+        false;  ///< the file is new or was replaced: the records take the place of all earlier ones
+  };
   /// The records that were added since the last call. A line still being written waits for the next call.
-  History read_new();
-
-  /// Number of records returned so far.
-  std::size_t size() const { return size_; }
+  News read_new();
 
  private:
   std::filesystem::path file_;
+  ino_t inode_ = 0;
   std::streamoff offset_ = 0;
   std::size_t size_ = 0;
 };

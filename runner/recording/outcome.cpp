@@ -17,7 +17,7 @@ RunOutcome outcome_of_result(nlohmann::ordered_json result) {
   if (format != result.end() && *format > kResultFormat)
     return {RunEnding::failed, "result.json has format " + format->dump() + ", this program reads format " +
                                    std::to_string(kResultFormat)};
-  const std::optional<Stop> stop = parse_stop(text_at(result, "stop"));
+  const std::optional<Stop> stop = parse_word<Stop>(text_at(result, "stop"));
   const bool is_answered = stop && has_answer(*stop);
   if (!is_answered) result["motion"] = nullptr;  // older solvers labelled failed runs, too
   std::string message = text_at(result, "message");
@@ -33,7 +33,8 @@ std::string with_log(const std::string& reason, const RunDirectory& directory) {
 
 RunOutcome outcome_of(const ProcessEnd& end, const RunDirectory& directory) {
   if (auto result = directory.result()) return outcome_of_result(std::move(*result));
-  if (end.how == ProcessEnd::How::lost) return {RunEnding::interrupted, "the daemon ended while it ran"};
+  if (end.how == ProcessEnd::How::lost)
+    return {RunEnding::interrupted, end.reason.empty() ? "the daemon ended while it ran" : end.reason};
   if (end.how == ProcessEnd::How::signalled) return {RunEnding::crashed, with_log(describe(end), directory)};
   switch (run_ending_of(end.number)) {
     case RunEnding::done:

@@ -5,6 +5,7 @@
 
 #include "runner/render/table.hpp"
 #include "runner/study/shown_value.hpp"
+#include "runner/study/small_letters.hpp"
 
 namespace capstan {
 namespace {
@@ -38,6 +39,14 @@ const Mark& mark_of(const PhaseCell& cell) {
   return *std::find_if(kMarks.begin(), kMarks.end() - 1, [&](const Mark& mark) { return name == mark.name; });
 }
 
+/// In small letters where the motion is not confirmed.
+std::string text_of(const PhaseCell& cell) {
+  const std::string text = mark_of(cell).text;
+  return cell.motion.empty() || cell.is_confirmed ? text : in_small_letters(text);
+}
+
+bool is_in_small_letters(const PhaseCell& cell) { return text_of(cell) != mark_of(cell).text; }
+
 std::string painted(const std::string& text, const Mark& mark, bool coloured) {
   return coloured ? std::string("\x1b[") + mark.colour + "m" + text + "\x1b[0m" : text;
 }
@@ -68,6 +77,16 @@ std::string legend(const PhaseDiagram& diagram, bool coloured) {
   return lines;
 }
 
+/// Says what small letters mean, if there are any.
+std::string legend_of_small_letters(const PhaseDiagram& diagram) {
+  for (const auto& row : diagram.rows)
+    if (std::any_of(row.begin(), row.end(), is_in_small_letters))
+      return "\nIn small letters: not confirmed. The run at the coarser resolution has another label, or the "
+             "error "
+             "is larger\nthan the label tolerates (capstan results shows error and margin).\n";
+  return "";
+}
+
 /// "at E_b = 0.015", one line for each axis that is not drawn.
 std::string fixed_text(const PhaseDiagram& diagram) {
   std::string text;
@@ -83,14 +102,40 @@ std::string row_text(const PhaseDiagram& diagram, std::size_t row, std::size_t m
   std::string line = aligned_right(shown_value(diagram.y.values[row]), margin) + " |";
   for (const PhaseCell& at : diagram.rows[row]) {
     const Mark& mark = mark_of(at);
-    line += painted(centred(mark.text, cell), mark, coloured);
+    line += painted(centred(text_of(at), cell), mark, coloured);
   }
   return without_trailing_spaces(line) + "\n";
 }
 
+/// The columns that at least half of the rows have points at, and how many points stand in the others: a
+/// search for a boundary computes other values in each row, and all of them would not fit on a screen.
+std::pair<PhaseDiagram, std::size_t> without_sparse_columns(const PhaseDiagram& diagram) {
+  PhaseDiagram shown{{diagram.x.parameter, {}}, diagram.y, diagram.at, {}};
+  shown.rows.resize(diagram.rows.size());
+  std::size_t left_out = 0;
+  for (std::size_t column = 0; column < diagram.x.values.size(); ++column) {
+    const auto has_points = [&](const auto& row) { return !row[column].cases.empty(); };
+    const auto points = std::size_t(std::ranges::count_if(diagram.rows, has_points));
+    if (2 * points < diagram.rows.size()) {
+      left_out += points;
+      continue;
+    }
+    shown.x.values.push_back(diagram.x.values[column]);
+    for (std::size_t row = 0; row < diagram.rows.size(); ++row)
+      shown.rows[row].push_back(diagram.rows[row][column]);
+  }
+  return {shown, left_out};
+}
+
+std::string text_of_left_out(std::size_t points) {
+  if (points == 0) return "";
+  return "\nPoints at other values, which capstan results lists: " + std::to_string(points) + "\n";
+}
+
 }  // namespace
 
-std::string phase_diagram_text(const PhaseDiagram& diagram, bool coloured) {
+std::string phase_diagram_text(const PhaseDiagram& all, bool coloured) {
+  const auto [diagram, left_out] = without_sparse_columns(all);
   const std::size_t margin = std::max(max_width(diagram.y), diagram.y.parameter.size()) + 1;
   const std::size_t cell = std::max<std::size_t>(max_width(diagram.x) + 2, 4);
   std::string text = aligned_right(diagram.y.parameter, margin) + "\n";
@@ -99,7 +144,8 @@ std::string phase_diagram_text(const PhaseDiagram& diagram, bool coloured) {
   text += std::string(margin, ' ') + " +" + std::string(cell * diagram.x.values.size(), '-') + "\n";
   text += std::string(margin + 2, ' ');
   for (const nlohmann::json& value : diagram.x.values) text += centred(shown_value(value), cell);
-  return text + "  " + diagram.x.parameter + "\n\n" + fixed_text(diagram) + legend(diagram, coloured);
+  return text + "  " + diagram.x.parameter + "\n\n" + fixed_text(diagram) + legend(diagram, coloured) +
+         legend_of_small_letters(diagram) + text_of_left_out(left_out);
 }
 
 }  // namespace capstan

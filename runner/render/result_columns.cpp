@@ -66,6 +66,8 @@ std::string short_name(const std::string& path) {
   return path.starts_with("until.") || path.starts_with("outputs.") ? path : path.substr(path.find('.') + 1);
 }
 
+std::string summary_name(const std::string& path) { return path == "error.Q" ? "error" : short_name(path); }
+
 /// Columns that have a value only after the end of a run. If only unfinished runs lack a value, the column
 /// does not count as varying.
 bool is_known_at_the_end(const std::string& path) {
@@ -93,10 +95,13 @@ std::vector<std::string> make_known_columns() {
   for (const std::string_view parameter : axis_parameters()) add_columns(all, "asked.", {parameter});
   for (const Observable& observable : kObservables) add_columns(all, "final.", {observable.name});
   add_columns(all, "evidence.", {"n_theta", "n_psi", "r", "D_min", "turns", "theta_range", "margin"});
+  add_columns(all, "", {"confirmed"});
+  add_columns(all, "error.", {"Q", "D_xy", "theta", "period", "label_agrees", "unknown"});
   add_columns(all, "cost.", {"seconds", "steps", "flow_iterations", "peak_memory_mb"});
   add_columns(all, "trust.", {"numerics_version", "fluid", "bending"});
   add_columns(all, "trust.", {"volume_drift", "area_drift", "worst_flow_error", "left_out"});
-  add_columns(all, "trust.surface.", {"largest_dihedral", "folded_edges", "smallest_angle"});
+  add_columns(all, "trust.surface.",
+              {"largest_dihedral", "folded_edges", "smallest_angle", "smallest_wavelength"});
   add_columns(all, "trust.surface.", {"folded_from", "lost_from"});
   return all;
 }
@@ -161,10 +166,11 @@ std::vector<ResultColumn> ResultColumns::summary(const ordered_json& study) cons
   }
   for (const std::string& path : known_columns())
     if (stands_in_summary(path) && !axes.contains(path)) columns.push_back({short_name(path), path});
-  for (const char* path :
-       {"state", "motion", "kt", "final.D_xy", "final.theta", "evidence.margin", "message"})
+  for (const char* path : {"state", "motion", "kt", "final.D_xy", "final.theta", "evidence.margin", "error.Q",
+                           "confirmed", "message"})
     columns.push_back(path == std::string("final.theta") ? ResultColumn{"θ/π", path, std::numbers::pi}
-                                                         : ResultColumn{short_name(path), path});
+                                                         : ResultColumn{summary_name(path), path});
+  if (seen_.contains("where")) columns.push_back({"where", "where"});
   if (has_words("trust.warnings")) columns.push_back({"warnings", "trust.warnings"});
   return columns;
 }

@@ -18,6 +18,29 @@ Table full_table(const ordered_json& cases) {
   return table_of(cases, columns.all());
 }
 
+Table diagram_table(const PhaseDiagram& diagram) {
+  Table table;
+  for (const auto& [parameter, value] : diagram.at) table.columns.push_back(parameter);
+  const bool has_y = !diagram.y.parameter.empty();
+  if (has_y) table.columns.push_back(diagram.y.parameter);
+  for (const std::string& column : {diagram.x.parameter, std::string("motion"), std::string("confirmed"),
+                                    std::string("state"), std::string("case")})
+    table.columns.push_back(column);
+  for (std::size_t j = 0; j < diagram.rows.size(); ++j)
+    for (std::size_t i = 0; i < diagram.rows[j].size(); ++i) {
+      const PhaseCell& cell = diagram.rows[j][i];
+      for (const std::string& id : cell.cases) {
+        std::vector<ordered_json> row;
+        for (const auto& [parameter, value] : diagram.at) row.emplace_back(value);
+        if (has_y) row.emplace_back(diagram.y.values[j]);
+        row.emplace_back(diagram.x.values[i]);
+        row.insert(row.end(), {cell.motion, cell.is_confirmed, cell.state, id});
+        table.rows.push_back(std::move(row));
+      }
+    }
+  return table;
+}
+
 Table history_table(const ordered_json& history) {
   Table table;
   for (const auto& [name, values] : history.items()) {

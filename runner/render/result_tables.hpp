@@ -2,6 +2,7 @@
 // Tables of results and histories.
 #include <nlohmann/json.hpp>
 
+#include "runner/queries/phase_diagram.hpp"
 #include "runner/render/table.hpp"
 
 namespace capstan {
@@ -12,6 +13,9 @@ Table summary_table(const nlohmann::ordered_json& study, const nlohmann::ordered
 
 /// For programs: all requested and resolved parameters and all results, one point a row (schema/results.md).
 Table full_table(const nlohmann::ordered_json& cases);
+
+/// One row for each point of the diagram: the values of the axes, its motion, state and case.
+Table diagram_table(const PhaseDiagram& diagram);
 
 /// One column for each observable, one row a record. \param history  as find_history returns it
 Table history_table(const nlohmann::ordered_json& history);

@@ -1,22 +1,15 @@
 #include "runner/render/table.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 
 #include "runner/render/printable.hpp"
 #include "runner/study/shown_value.hpp"
+#include "solver/case/shown_number.hpp"
 
 namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-
-template <class... Format>
-std::string number_text(double number, Format... format) {
-  std::array<char, 64> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number, format...).ptr};
-}
 
 /// Columns that a text in UTF-8 takes on a terminal, at one column a character.
 std::size_t width_of(const std::string& text) {
@@ -29,8 +22,7 @@ std::string spaces_up_to(std::size_t width, const std::string& text) {
 }
 
 std::string short_text(const ordered_json& value, bool is_exact) {
-  if (value.is_number_float() && !is_exact)
-    return number_text(value.get<double>(), std::chars_format::general, 4);
+  if (value.is_number_float() && !is_exact) return rounded(value.get<double>(), 4);
   const std::string text = printable(shown_value(value));
   return text.substr(0, text.find('\n'));  // only the first line of a message
 }

@@ -7,7 +7,8 @@
 
 namespace capstan {
 
-/// With less free space than this no run is started, and `capstan doctor` reports the disk.
+/// With less free space than this no run is started, the service is not ready, and `capstan doctor` reports
+/// the disk.
 inline constexpr std::uintmax_t kMinFree = 100'000'000;  // bytes
 
 // Names in a data directory.

@@ -1,13 +1,12 @@
 #include "runner/study/axis.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 
 #include "solver/case/mistyped_keys.hpp"
 #include "solver/case/nearest_word.hpp"
+#include "solver/case/significant_digits.hpp"
 
 namespace capstan {
 namespace {
@@ -15,15 +14,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int kMinDigits = 6, kMaxDigits = 15;  // a double holds 15 decimal digits
-
-double rounded(double number, int digits) {
-  std::array<char, 32> text{};
-  const auto end =
-      std::to_chars(text.begin(), text.end(), number, std::chars_format::scientific, digits - 1).ptr;
-  double result = number;
-  std::from_chars(text.begin(), end, result);
-  return result;
-}
 
 /// The digits at which rounding changes the distance of two neighbours by less than a tenth. Rounding to d
 /// digits changes a value by at most 0.5 * 10^(1-d) of itself.
@@ -122,7 +112,7 @@ double AxisRange::value(std::size_t index) const {
   const bool is_rounding_error = !logarithmic && std::abs(exact) < 1e-9 * std::abs(to - from) / last;
   if (is_rounding_error) return 0;
   const double digits = std::max<double>(kMinDigits, digits_for(relative_spacing()));
-  return rounded(exact, static_cast<int>(digits));
+  return with_significant_digits(exact, static_cast<int>(digits));
 }
 
 double Axis::size() const {
@@ -141,19 +131,18 @@ std::vector<json> Axis::repeated() const {
 }
 
 std::string Axis::pointer(std::size_t index, const std::string& inner) const {
-  const std::string place = "/axes/" + parameter_;
   const auto* list = std::get_if<AxisList>(&values_);
-  return list ? place + "/" + std::to_string(list->places[index]) + inner : place;
+  return list ? place_ + "/" + std::to_string(list->places[index]) + inner : place_;
 }
 
-std::optional<Axis> read_axis(const std::string& parameter, const json& given, Issues& issues) {
-  const std::string pointer = "/axes/" + parameter;
-  if (given.is_array() && !given.empty()) return Axis(parameter, listed_once(given));
+std::optional<Axis> read_axis(const std::string& parameter, const json& given, const std::string& pointer,
+                              Issues& issues) {
+  if (given.is_array() && !given.empty()) return Axis(parameter, listed_once(given), pointer);
   if (given.is_object()) {
     json corrected = given;
     Issues found = rename_mistyped_keys(corrected, {"from", "to", "count", "scale"}, pointer);
     const AxisRange range = RangeReader(corrected, pointer, found).read();
-    if (found.empty()) return Axis(parameter, range);
+    if (found.empty()) return Axis(parameter, range, pointer);
     issues.insert(issues.end(), found.begin(), found.end());
   } else if (given.is_array()) {
     issues.push_back({pointer, "must have at least one value"});

@@ -34,8 +34,11 @@ struct AxisList {
 
 class Axis {
  public:
-  Axis(std::string parameter, AxisList list) : parameter_(std::move(parameter)), values_(std::move(list)) {}
-  Axis(std::string parameter, AxisRange range) : parameter_(std::move(parameter)), values_(range) {}
+  /// \param place  pointer to the values in the study
+  Axis(std::string parameter, AxisList list, std::string place)
+      : parameter_(std::move(parameter)), place_(std::move(place)), values_(std::move(list)) {}
+  Axis(std::string parameter, AxisRange range, std::string place)
+      : parameter_(std::move(parameter)), place_(std::move(place)), values_(range) {}
 
   const std::string& parameter() const { return parameter_; }
   double size() const;
@@ -49,12 +52,15 @@ class Axis {
 
  private:
   std::string parameter_;
+  std::string place_;
   std::variant<AxisList, AxisRange> values_;
 };
 
-/// Reads the value of /axes/Ca: a list, or {"from", "to", "count", "scale"}. Nothing if it has an issue. The
-/// values of a list are checked later, with the cases.
-std::optional<Axis> read_axis(const std::string& parameter, const nlohmann::json& json, Issues& issues);
+/// Reads the values of a parameter: a list, or {"from", "to", "count", "scale"}. Nothing if it has an issue.
+/// The values of a list are checked later, with the cases.
+/// \param place  pointer to the values in the study: "/axes/Ca"
+std::optional<Axis> read_axis(const std::string& parameter, const nlohmann::json& json,
+                              const std::string& place, Issues& issues);
 
 /// The parameters that can be an axis, in the order in which axes are listed: the scalar ones and fidelity.
 const std::vector<std::string_view>& axis_parameters();

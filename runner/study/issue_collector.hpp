@@ -25,4 +25,13 @@ class IssueCollector {
   std::set<std::string> pointers_;
 };
 
+/// Keeps the first 100 issues and counts the others: the list of all could be larger than the document.
+inline void limit_number(Issues& issues) {
+  constexpr std::size_t kMaxReported = 100;
+  if (issues.size() <= kMaxReported) return;
+  const std::size_t more = issues.size() - kMaxReported;
+  issues.resize(kMaxReported);
+  issues.push_back({"", "and " + std::to_string(more) + " more issues"});
+}
+
 }  // namespace capstan

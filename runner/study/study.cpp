@@ -13,15 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Keeps the first 100 issues and counts the others: the list of all could be larger than the document.
-void limit_number(Issues& issues) {
-  constexpr std::size_t kMaxReported = 100;
-  if (issues.size() <= kMaxReported) return;
-  const std::size_t more = issues.size() - kMaxReported;
-  issues.resize(kMaxReported);
-  issues.push_back({"", "and " + std::to_string(more) + " more issues"});
-}
-
 /// 4.0 becomes 4 and -0.0 becomes 0, so that one study in two spellings is one document.
 void spell_numbers_alike(json& value) {
   constexpr double kMaxWhole = 9007199254740992;  // 2^53: up to here a double holds every whole number
@@ -35,8 +26,10 @@ void spell_numbers_alike(json& value) {
 
 /// A mistyped key becomes one issue, and the key that it was meant to be is not reported as missing.
 Issues rename_mistyped_keys_of_study(json& document) {
-  Issues issues = rename_mistyped_keys(document, {"name", "description", "base", "axes"});
-  for (const auto& [group, known] : {std::pair{"base", case_keys()}, std::pair{"axes", axis_parameters()}})
+  Issues issues =
+      rename_mistyped_keys(document, {"name", "description", "base", "axes", "boundary", "refine"});
+  for (const auto& [group, known] : {std::pair{"base", case_keys()}, std::pair{"axes", axis_parameters()},
+                                     std::pair{"boundary", boundary_keys()}})
     if (document.contains(group)) {
       const Issues more = rename_mistyped_keys(document[group], known, std::string("/") + group);
       issues.insert(issues.end(), more.begin(), more.end());

@@ -63,8 +63,9 @@ void StudyCases::expand(Study& study) {
   double points = product_size(study.axes);
   const bool is_too_large = points > static_cast<double>(kMaxCases);
   if (is_too_large) {
-    issues_.add("/axes", "make a grid of " + whole(points) + " cases; at most " + std::to_string(kMaxCases) +
-                             " are allowed");
+    issues_.add(
+        study.boundary ? "/boundary" : "/axes",
+        "make a grid of " + whole(points) + " cases; at most " + std::to_string(kMaxCases) + " are allowed");
     points = 1;  // enough to find the issues of the base
   }
   std::map<std::string, std::size_t> numbers;  // index of each case, by its id

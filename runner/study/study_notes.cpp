@@ -64,6 +64,8 @@ std::vector<std::string> notes_on(const Study& study, const DroppedKeys& dropped
   add_counted(study, choices, "choices of the solver", notes);
   add_counted(study, warnings, "warnings", notes);
   add_equal_points(study, notes);
+  if (study.boundary || study.refinement)
+    notes.emplace_back("these are the first points; further ones follow where the motion changes");
   return notes;
 }
 

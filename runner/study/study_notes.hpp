@@ -13,7 +13,7 @@ namespace capstan {
 using CountedSentences = std::map<std::string, std::size_t>;
 
 /// Repeated values of an axis, dropped keys, choices of the solver, settings that make the answer doubtful
-/// (case_warnings), and points that are the same case.
+/// (case_warnings), points that are the same case, and that further points follow.
 std::vector<std::string> notes_on(const Study& study, const DroppedKeys& dropped,
                                   const CountedSentences& choices, const CountedSentences& warnings);
 

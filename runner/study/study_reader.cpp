@@ -46,12 +46,28 @@ void read_axes(const json& document, StudyParts& parts, IssueCollector& issues) 
   for (const std::string_view name : axis_parameters()) {
     const std::string parameter(name);
     if (!given.contains(parameter)) continue;
-    if (auto axis = read_axis(parameter, given[parameter], issues.list()))
+    if (auto axis = read_axis(parameter, given[parameter], "/axes/" + parameter, issues.list()))
       parts.study.axes.push_back(std::move(*axis));
     else
       parts.invalid_axes.insert(parameter);
   }
   refuse_other_axes(given, issues);
+}
+
+void read_boundary_and_axes(const json& document, StudyParts& parts, IssueCollector& issues) {
+  if (document.contains("axes"))
+    issues.add("/axes", "a study that seeks a boundary has no axes: its rows are in boundary.for");
+  BoundaryParts read = read_boundary(document["boundary"], issues);
+  parts.study.boundary = std::move(read.boundary);
+  parts.study.axes = std::move(read.axes);
+  parts.invalid_axes.insert(read.invalid_axes.begin(), read.invalid_axes.end());
+}
+
+/// Keys of the base that the boundary varies.
+void refuse_keys_of_boundary(const StudyParts& parts, const json& base, IssueCollector& issues) {
+  for (const Axis& axis : parts.study.axes)
+    if (base.contains(axis.parameter()))
+      issues.add(pointer_to("/base", axis.parameter()), "is varied by the boundary, too");
 }
 
 /// Keys of the base that are also keys of the axes, valid or not.
@@ -74,7 +90,7 @@ const json* read_base(const json& document, IssueCollector& issues) {
 }
 
 void refuse_unknown_keys(const json& document, IssueCollector& issues) {
-  static const std::set<std::string> known = {"name", "description", "base", "axes"};
+  static const std::set<std::string> known = {"name", "description", "base", "axes", "boundary", "refine"};
   for (const auto& [key, value] : document.items())
     if (!known.contains(key)) issues.add(pointer_to("", key), "unknown key");
 }
@@ -86,9 +102,16 @@ StudyParts read_study_parts(const json& document, IssueCollector& issues) {
   parts.study.document = document;
   parts.study.name = read_name(document, issues);
   parts.study.description = read_description(document, issues);
-  read_axes(document, parts, issues);
+  if (document.contains("boundary"))
+    read_boundary_and_axes(document, parts, issues);
+  else
+    read_axes(document, parts, issues);
   refuse_unknown_keys(document, issues);
-  parts.base = read_base(document, issues);
+  if (document.contains("refine"))
+    parts.study.refinement = read_refinement(document["refine"], parts.study.axes, issues);
+  const bool is_incomplete = document.contains("boundary") && !parts.study.boundary;
+  if (read_base(document, issues) && !is_incomplete) parts.base = base_of(document);
+  if (parts.base && parts.study.boundary) refuse_keys_of_boundary(parts, *parts.base, issues);
   return parts;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "runner/study/axis.hpp"
+#include "runner/study/study_boundary.hpp"
 #include "solver/case/parameters.hpp"
 
 namespace capstan {
@@ -58,6 +59,59 @@ ordered_json range_schema() {
   return schema;
 }
 
+/// The parameters that are numbers can be searched along.
+ordered_json searched_parameters() {
+  ordered_json names = ordered_json::array();
+  for (const std::string_view key : scalar_parameters())
+    if (find_parameter(key)->value->takes_numbers()) names.push_back(key);
+  return names;
+}
+
+ordered_json refine_schema() {
+  ordered_json sides;
+  for (const ordered_json& key : searched_parameters())
+    sides[key.get<std::string>()] = {{"type", "number"}, {"exclusiveMinimum", 0}};
+  ordered_json schema = object_with(
+      "Two of the axes, with the sides of the smallest cells: where the motions at the corners of a cell of "
+      "the "
+      "grid differ, it is divided until its sides are at most these.",
+      std::move(sides));
+  schema["minProperties"] = schema["maxProperties"] = 2;
+  return schema;
+}
+
+ordered_json boundary_schema() {
+  ordered_json rows;
+  for (const std::string_view key : axis_parameters()) rows[std::string(key)] = axis_schema(key);
+  ordered_json schema = object_with(
+      "Instead of axes: where tumbling ends and tank-treading begins along one parameter. Each row is first "
+      "computed at evenly spaced values; further ones follow where the motion changes.",
+      {{"along", {{"description", "The parameter that is searched."}, {"enum", searched_parameters()}}},
+       {"between",
+        {{"description", "The two ends of the searched range, 0 < first < second."},
+         {"type", "array"},
+         {"minItems", 2},
+         {"maxItems", 2},
+         {"items", {{"type", "number"}, {"exclusiveMinimum", 0}}}}},
+       {"for", object_with("The parameters that vary from row to row.", std::move(rows))},
+       {"tolerance",
+        {{"description", "Relative distance of the two points around the boundary."},
+         {"type", "number"},
+         {"minimum", StudyBoundary::kMinTolerance},
+         {"maximum", StudyBoundary::kMaxTolerance},
+         {"default", StudyBoundary::kTolerance}}},
+       {"explore",
+        {{"description",
+          "Number of first values of each row, evenly spaced in the logarithm. An island of another motion "
+          "that is wider than their distance is not missed."},
+         {"type", "integer"},
+         {"minimum", StudyBoundary::kMinExplored},
+         {"maximum", StudyBoundary::kMaxExplored},
+         {"default", StudyBoundary::kExplored}}}});
+  schema["required"] = {"along", "between"};
+  return schema;
+}
+
 }  // namespace
 
 ordered_json study_schema() {
@@ -66,7 +120,7 @@ ordered_json study_schema() {
           {"title", "Study"},
           {"description",
            "A base case and the axes along which it varies; the cases are the product of the axes, at most "
-           "10,000."},
+           "10,000. Or a base case and the boundary that is sought; then there are no axes."},
           {"type", "object"},
           {"additionalProperties", false},
           {"required", {"name", "base"}},
@@ -77,7 +131,9 @@ ordered_json study_schema() {
               {"pattern", "^[A-Za-z0-9_-]{1,40}$"}}},
             {"description", {{"type", "string"}}},
             {"base", base_schema()},
-            {"axes", axes_schema()}}},
+            {"axes", axes_schema()},
+            {"boundary", boundary_schema()},
+            {"refine", refine_schema()}}},
           {"definitions", {{"range", range_schema()}}}};
 }
 

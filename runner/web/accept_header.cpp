@@ -63,4 +63,10 @@ double accepted_quality(const httplib::Request& request, std::string_view type) 
   return quality;
 }
 
+bool wants_csv(const httplib::Request& request) {
+  const std::string format = request.get_param_value("format");
+  if (!format.empty()) return format == "csv";
+  return accepted_quality(request, "text/csv") > accepted_quality(request, "application/json");
+}
+
 }  // namespace capstan

@@ -10,4 +10,8 @@ namespace capstan {
 /// \param type  in lower case, as "text/csv"
 double accepted_quality(const httplib::Request& request, std::string_view type);
 
+/// Whether a route that answers JSON or CSV is asked for CSV: by ?format=csv, or without a format by the
+/// Accept header.
+bool wants_csv(const httplib::Request& request);
+
 }  // namespace capstan

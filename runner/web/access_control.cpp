@@ -7,6 +7,7 @@
 
 #include "runner/web/ascii_case.hpp"
 #include "runner/web/bearer_token.hpp"
+#include "runner/web/page_files.hpp"
 
 namespace capstan {
 namespace {
@@ -52,6 +53,11 @@ bool has_token(const httplib::Request& request, const std::string& token) {
          equal_in_constant_time(std::string_view(field).substr(kScheme.size()), token);
 }
 
+/// The page says nothing about studies; a browser can only send the token once the page has asked for it.
+bool asks_for_page(const httplib::Request& request) {
+  return (request.method == "GET" || request.method == "HEAD") && find_page_file(request.path);
+}
+
 }  // namespace
 
 std::optional<Response> refuse_access(const AccessControl& access, const httplib::Request& request) {
@@ -61,7 +67,7 @@ std::optional<Response> refuse_access(const AccessControl& access, const httplib
                    "this server is not known as " + host + "; name it with: capstan serve --host");
   if (request.has_header("Origin") && !is_own_origin(access, request.get_header_value("Origin"), host))
     return problem(403, "Forbidden", "pages of other sites may not ask");
-  if (!access.token || has_token(request, *access.token)) return std::nullopt;
+  if (!access.token || asks_for_page(request) || has_token(request, *access.token)) return std::nullopt;
   Response refusal = problem(401, "Unauthorized", "send the token: Authorization: Bearer TOKEN");
   refusal.headers["WWW-Authenticate"] = "Bearer";
   return refusal;

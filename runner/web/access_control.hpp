@@ -13,7 +13,7 @@ namespace capstan {
 
 struct AccessControl {
   std::vector<std::string> hosts = {};    ///< names of this server besides "localhost" and numeric addresses
-  std::optional<std::string> token = {};  ///< required of every request, if there is one
+  std::optional<std::string> token = {};  ///< required of every request except for the page, if there is one
 };
 
 /// 421 for a host that is not this server (DNS rebinding: another site's name that was made to point here),

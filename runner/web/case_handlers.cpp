@@ -11,18 +11,13 @@ Response no_such_case(const std::string& id) {
   return problem(404, "Not found", "there is no case \"" + id + "\"");
 }
 
-bool wants_csv(const httplib::Request& request) {
-  const std::string format = request.get_param_value("format");
-  if (!format.empty()) return format == "csv";
-  return accepted_quality(request, "text/csv") > accepted_quality(request, "application/json");
-}
-
 }  // namespace
 
 Response get_case(Service& service, const httplib::Request&, const std::string& id) {
   const Readers::Reader database = service.reader();
   auto found = find_case(*database, id);
   if (!found) return no_such_case(id);
+  add_place(*database, service.places(), *found);
   const std::string self = "/v1/cases/" + id;
   (*found)["links"] = {{"self", self}, {"history", self + "/history"}};
   return json_response(200, *found);
@@ -30,7 +25,7 @@ Response get_case(Service& service, const httplib::Request&, const std::string& 
 
 Response get_case_why(Service& service, const httplib::Request&, const std::string& id) {
   const Readers::Reader database = service.reader();
-  const auto reasons = why(*database, id, service.cores(), service.why_nothing_starts());
+  const auto reasons = why(*database, id, service.places());
   return reasons ? json_response(200, *reasons) : no_such_case(id);
 }
 

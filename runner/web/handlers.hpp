@@ -12,6 +12,8 @@ namespace capstan {
 /// \param id  the decoded segment of the path that stands for "{id}"; "" on routes without one
 using Handler = Response (*)(Service& service, const httplib::Request& request, const std::string& id);
 
+Response get_page_file(Service& service, const httplib::Request& request, const std::string& name);
+
 Response get_health(Service& service, const httplib::Request& request, const std::string& id);
 Response get_readiness(Service& service, const httplib::Request& request, const std::string& id);
 Response get_metrics(Service& service, const httplib::Request& request, const std::string& id);
@@ -19,6 +21,7 @@ Response get_openapi(Service& service, const httplib::Request& request, const st
 Response get_study_schema(Service& service, const httplib::Request& request, const std::string& id);
 Response get_case_schema(Service& service, const httplib::Request& request, const std::string& id);
 
+Response post_plan(Service& service, const httplib::Request& request, const std::string& id);
 Response post_study(Service& service, const httplib::Request& request, const std::string& id);
 Response get_studies(Service& service, const httplib::Request& request, const std::string& id);
 Response get_study(Service& service, const httplib::Request& request, const std::string& id);
@@ -26,6 +29,7 @@ Response delete_study(Service& service, const httplib::Request& request, const s
 Response get_study_cases(Service& service, const httplib::Request& request, const std::string& id);
 Response get_study_why(Service& service, const httplib::Request& request, const std::string& id);
 Response get_phase_diagram(Service& service, const httplib::Request& request, const std::string& id);
+Response get_boundary(Service& service, const httplib::Request& request, const std::string& id);
 Response get_study_events(Service& service, const httplib::Request& request, const std::string& id);
 Response cancel_study(Service& service, const httplib::Request& request, const std::string& id);
 Response pause_study(Service& service, const httplib::Request& request, const std::string& id);
@@ -36,6 +40,7 @@ Response set_priority(Service& service, const httplib::Request& request, const s
 Response get_case(Service& service, const httplib::Request& request, const std::string& id);
 Response get_case_why(Service& service, const httplib::Request& request, const std::string& id);
 Response get_case_history(Service& service, const httplib::Request& request, const std::string& id);
+Response get_case_shapes(Service& service, const httplib::Request& request, const std::string& id);
 
 Response get_ids(Service& service, const httplib::Request& request, const std::string& word);
 

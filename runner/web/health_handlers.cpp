@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "runner/queries/metrics.hpp"
+#include "runner/store/data_directory.hpp"
 #include "runner/study/study_schema.hpp"
 #include "runner/web/embedded_documents.hpp"
 #include "runner/web/handlers.hpp"
@@ -20,7 +21,6 @@ Response get_health(Service& service, const httplib::Request&, const std::string
 /// 503 if a submission could not be stored or computed: if the database is damaged, removed, unreadable or
 /// read-only, if the directory of the runs is missing, or if one of their disks is almost full.
 Response get_readiness(Service& service, const httplib::Request&, const std::string&) try {
-  constexpr std::uintmax_t kMin = 100'000'000;  // bytes
   service.expect_sound_database();
   Database database(service.data().database(),
                     Database::Access::read);  // opened anew: the file may have been removed
@@ -34,7 +34,10 @@ Response get_readiness(Service& service, const httplib::Request&, const std::str
     if (const std::string error = WriteProbe(path).error(); !error.empty())
       return problem(503, "Not ready", "nothing can be written in " + path.string() + ": " + error);
   const std::uintmax_t free = std::filesystem::space(service.data().path()).available;
-  if (free < kMin) return problem(503, "Not ready", "less than 100 MB are free in the data directory");
+  if (free < kMinFree)
+    return problem(
+        503, "Not ready",
+        "less than " + std::to_string(kMinFree / 1'000'000) + " MB are free in the data directory");
   return json_response(200, {{"status", "ready"}, {"free_bytes", free}});
 } catch (const DatabaseDamaged& error) {
   service.report_damage(error.what());
@@ -47,7 +50,8 @@ Response get_metrics(Service& service, const httplib::Request&, const std::strin
   const Readers::Reader database = service.reader();
   return {200,
           "text/plain; version=0.0.4; charset=utf-8",
-          metrics_text(*database, service.cores()) + http_metrics().text(),
+          metrics_text(*database, service.executor().slots()) + service.executor().metrics() +
+              http_metrics().text(),
           {}};
 }
 

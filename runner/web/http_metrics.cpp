@@ -7,16 +7,14 @@
 #include <iterator>
 #include <sstream>
 
+#include "runner/queries/metrics.hpp"
+
 namespace capstan {
 namespace {
 
-std::string described(const std::string& name, const std::string& type, const std::string& help) {
-  return "# HELP " + name + " " + help + "\n# TYPE " + name + " " + type + "\n";
-}
-
 template <class Number>
 std::string gauge(const std::string& name, const std::string& help, Number value) {
-  return described(name, "gauge", help) + name + " " + std::to_string(value) + "\n";
+  return metric_description(name, "gauge", help) + name + " " + std::to_string(value) + "\n";
 }
 
 long resident_bytes() {
@@ -42,12 +40,13 @@ void HttpMetrics::count_request(int status, std::chrono::duration<double> time) 
 std::string HttpMetrics::text() {
   const std::string requests = "capstan_http_requests_total", seconds = "capstan_http_request_seconds_total";
   std::ostringstream text;
-  text << described(requests, "counter", "Requests by the status of their answer.");
+  text << metric_description(requests, "counter", "Requests by the status of their answer.");
   {
     const std::lock_guard lock(mutex_);
     for (const auto& [status, count] : requests_)
       text << requests << "{code=\"" << status << "\"} " << count << '\n';
-    text << described(seconds, "counter", "Time from accepting a connection to the end of its answer.")
+    text << metric_description(seconds, "counter",
+                               "Time from accepting a connection to the end of its answer.")
          << seconds << ' ' << seconds_ << '\n';
   }
   text << gauge("capstan_http_connections", "Connections that are being served.", connections.load())

@@ -47,7 +47,7 @@ void read_after(const std::string& value, PageQuery& page) {
 PageQuery read_page_query(const httplib::Request& request) {
   PageQuery page;
   for (const auto& [key, value] : request.params)
-    if (key != "limit" && key != "after") page.rest.emplace_back(key, value);
+    if (key != "limit" && key != "after" && key != "format") page.rest.emplace_back(key, value);
   page.list = name_of_list(request.path, page.rest);
   for (const auto& [key, value] : request.params) {
     if (key == "limit") page.wanted.limit = number_of<int>(value, 10).value_or(PageRequest::kMax);

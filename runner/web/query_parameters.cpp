@@ -39,17 +39,9 @@ std::string issue_unless_among(const std::string& value, Words... words) {
   return issue_of_word(value, all);
 }
 
-/// \param values  the values of an enum that has to_string()
-template <class Values>
-std::string issue_unless_word_of(const Values& values, const std::string& value) {
-  std::vector<std::string_view> words;
-  for (const auto each : values) words.push_back(to_string(each));
-  return issue_of_word(value, words);
-}
+std::string issue_of_state(const std::string& value) { return issue_of_word(value, words_of<CaseState>()); }
 
-std::string issue_of_state(const std::string& value) { return issue_unless_word_of(kCaseStates, value); }
-
-std::string issue_of_motion(const std::string& value) { return issue_unless_word_of(kMotions, value); }
+std::string issue_of_motion(const std::string& value) { return issue_of_word(value, words_of<Motion>()); }
 
 /// What is wrong with the text as a value of a parameter of a case; "" if nothing.
 std::string issue_of_parameter(const Parameter& parameter, const std::string& value) {
@@ -63,10 +55,7 @@ std::string issue_of_parameter(const Parameter& parameter, const std::string& va
 
 std::string issue_of_fidelity(const std::string& value) {
   if (nlohmann::json::parse(value, nullptr, false).is_object()) return "";
-  std::vector<std::string_view> names;
-  names.reserve(fidelity_presets().size());
-  for (const FidelityPreset& preset : fidelity_presets()) names.push_back(preset.name);
-  const std::string issue = issue_of_word(value, names);
+  const std::string issue = issue_of_word(value, preset_names());
   return issue.empty() ? "" : issue + "; or an object of knobs";
 }
 
@@ -74,9 +63,18 @@ std::string issue_of_axis(const std::string& value) { return issue_of_word(value
 
 std::string issue_of_format(const std::string& value) { return issue_unless_among(value, "json", "csv"); }
 
+std::string issue_of_shape_format(const std::string& value) {
+  return issue_unless_among(value, "json", "binary", "vtp", "stl", "obj");
+}
+
+std::string issue_of_index(const std::string& value) {
+  return number_in<std::size_t>(value) ? "" : "must be a whole number from 0 on";
+}
+
 std::vector<QueryParameter> filters_of_cases() {
   std::vector<QueryParameter> filters = {{"limit", issue_of_limit},
                                          {"after", no_issue},  // read_page_query() checks it against its list
+                                         {"format", issue_of_format},
                                          {"state", issue_of_state},
                                          {"motion", issue_of_motion}};
   for (const Parameter& parameter : parameters())
@@ -104,13 +102,20 @@ std::span<const QueryParameter> phase_diagram_parameters() {
   static const std::vector<QueryParameter> diagram = {
       {"x", issue_of_axis},
       {"y", issue_of_axis},
+      {"format", issue_of_format},
       {"at", no_issue, true}};  // AXIS=VALUE: phase_diagram() checks it against the study
   return diagram;
 }
 
-std::span<const QueryParameter> history_parameters() {
-  static const std::vector<QueryParameter> history = {{"format", issue_of_format}};
-  return history;
+std::span<const QueryParameter> format_parameters() {
+  static const std::vector<QueryParameter> format = {{"format", issue_of_format}};
+  return format;
+}
+
+std::span<const QueryParameter> shapes_parameters() {
+  static const std::vector<QueryParameter> shapes = {
+      {"format", issue_of_shape_format}, {"kt", issue_of_number}, {"first", issue_of_index}};
+  return shapes;
 }
 
 }  // namespace capstan

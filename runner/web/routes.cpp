@@ -15,12 +15,15 @@ constexpr std::string_view kRetryKeys[] = {"fidelity"};
 constexpr std::string_view kPriorityKeys[] = {"priority"};
 
 constexpr Route kRoutes[] = {
+    {"GET", "/", get_page_file},
+    {"GET", "/page/{id}", get_page_file},
     {"GET", "/healthz", get_health},
     {"GET", "/readyz", get_readiness},
     {"GET", "/metrics", get_metrics},
     {"GET", "/openapi.yaml", get_openapi},
     {"GET", "/study.schema.json", get_study_schema},
     {"GET", "/case.schema.json", get_case_schema},
+    {"POST", "/v1/plan", post_plan, nullptr, {}, true},
     {"POST", "/v1/studies", post_study, nullptr, {}, true},
     {"GET", "/v1/studies", get_studies, page_parameters},
     {"GET", "/v1/studies/{id}", get_study},
@@ -28,6 +31,7 @@ constexpr Route kRoutes[] = {
     {"GET", "/v1/studies/{id}/cases", get_study_cases, case_list_parameters},
     {"GET", "/v1/studies/{id}/why", get_study_why},
     {"GET", "/v1/studies/{id}/phase-diagram", get_phase_diagram, phase_diagram_parameters},
+    {"GET", "/v1/studies/{id}/boundary", get_boundary, format_parameters},
     {"GET", "/v1/studies/{id}/events", get_study_events},
     {"POST", "/v1/studies/{id}/cancel", cancel_study},
     {"POST", "/v1/studies/{id}/pause", pause_study},
@@ -36,7 +40,8 @@ constexpr Route kRoutes[] = {
     {"POST", "/v1/studies/{id}/priority", set_priority, nullptr, kPriorityKeys},
     {"GET", "/v1/cases/{id}", get_case},
     {"GET", "/v1/cases/{id}/why", get_case_why},
-    {"GET", "/v1/cases/{id}/history", get_case_history, history_parameters},
+    {"GET", "/v1/cases/{id}/shapes", get_case_shapes, shapes_parameters},
+    {"GET", "/v1/cases/{id}/history", get_case_history, format_parameters},
     {"GET", "/v1/ids/{id}", get_ids},
 };
 

@@ -1,10 +1,16 @@
 #include <filesystem>
+#include <functional>
 
+#include "runner/queries/boundary.hpp"
 #include "runner/queries/disk_warning.hpp"
 #include "runner/queries/phase_diagram.hpp"
 #include "runner/queries/queries.hpp"
 #include "runner/queries/why.hpp"
-#include "runner/study/study.hpp"
+#include "runner/render/boundary_table.hpp"
+#include "runner/render/result_columns.hpp"
+#include "runner/render/result_tables.hpp"
+#include "runner/study/study_plan.hpp"
+#include "runner/web/accept_header.hpp"
 #include "runner/web/handlers.hpp"
 #include "runner/web/page_query.hpp"
 #include "solver/case/run_size.hpp"
@@ -34,6 +40,7 @@ ordered_json warnings_of(const Study& study, const Service& service) {
 ordered_json with_links(ordered_json study) {
   const std::string self = "/v1/studies/" + study["id"].get<std::string>();
   study["links"] = {{"self", self}, {"cases", self + "/cases"}, {"phase_diagram", self + "/phase-diagram"}};
+  if (!study["boundary"].is_null()) study["links"]["boundary"] = self + "/boundary";
   return study;
 }
 
@@ -56,7 +63,43 @@ std::optional<int> replaceable_cases(Service& service, const std::string& id) {
   return (*study)["cancelled"] ? 0 : cases["failed"].get<int>() + cases["diverged"].get<int>();
 }
 
+/// Calls `use` with all points that the filter selects, part by part.
+void for_each_part(Database& database, const std::string& id, const CaseFilter& filter,
+                   const std::function<void(const ordered_json& points)>& use) {
+  PageRequest wanted;
+  for (bool is_last = false; !is_last;) {
+    const Page part = find_cases(database, id, filter, wanted);
+    use(part.items);
+    wanted.after = part.next;
+    is_last = !part.next;
+  }
+}
+
+/// All points that the filter selects; CSV has no pages.
+Response cases_as_csv(Database& database, const std::string& id, const CaseFilter& filter) {
+  ResultColumns seen;
+  for_each_part(database, id, filter, [&](const ordered_json& points) { seen.look_at(points); });
+  const auto columns = seen.all();
+  std::string text = as_csv(table_of(ordered_json::array(), columns));
+  for_each_part(database, id, filter,
+                [&](const ordered_json& points) { text += csv_rows(table_of(points, columns)); });
+  return csv_response(std::move(text));
+}
+
+Response varies_by_accept(Response response) {
+  response.headers["Vary"] = "Accept";
+  return response;
+}
+
 }  // namespace
+
+/// The plan of a study or a case. Nothing is stored.
+Response post_plan(Service&, const httplib::Request& request, const std::string&) {
+  const InputDocument document = parse_document(request.body);
+  if (!document.study && !document.single_case)
+    return problem(422, "Invalid study", "the study or case is not valid, there is no plan", document.issues);
+  return json_response(200, plan_json(document));
+}
 
 /// 201 for a new study, 200 for a known one, 422 for one with issues, which is not stored. `resumed`: the
 /// study was paused until now.
@@ -97,7 +140,7 @@ Response get_study(Service& service, const httplib::Request&, const std::string&
 
 Response get_study_why(Service& service, const httplib::Request&, const std::string& id) {
   const Readers::Reader database = service.reader();
-  const auto reasons = why_study(*database, id, service.why_nothing_starts());
+  const auto reasons = why_study(*database, id, service.places());
   return reasons ? json_response(200, *reasons) : no_such_study(id);
 }
 
@@ -106,8 +149,11 @@ Response get_study_cases(Service& service, const httplib::Request& request, cons
   if (!page.issues.empty()) return problem(400, "Invalid page", "the query names no page", page.issues);
   const Readers::Reader database = service.reader();
   if (!find_study(*database, id)) return no_such_study(id);
-  const Page found = find_cases(*database, id, page.rest, page.wanted);
-  return json_response(200, with_next({{"study", id}, {"cases", found.items}}, found, page));
+  if (wants_csv(request)) return varies_by_accept(cases_as_csv(*database, id, page.rest));
+  Page found = find_cases(*database, id, page.rest, page.wanted);
+  add_places(*database, service.places(), found.items);
+  return varies_by_accept(
+      json_response(200, with_next({{"study", id}, {"cases", found.items}}, found, page)));
 }
 
 Response get_phase_diagram(Service& service, const httplib::Request& request, const std::string& id) {
@@ -122,7 +168,17 @@ Response get_phase_diagram(Service& service, const httplib::Request& request, co
   const ParsedDiagram diagram = phase_diagram(*study, find_points(*database, id), wanted);
   if (!diagram.value)
     return problem(400, "Invalid diagram", "the query does not say which diagram to draw", diagram.issues);
-  return json_response(200, to_json(*diagram.value));
+  return varies_by_accept(wants_csv(request) ? csv_response(as_csv(diagram_table(*diagram.value)))
+                                             : json_response(200, to_json(*diagram.value)));
+}
+
+Response get_boundary(Service& service, const httplib::Request& request, const std::string& id) {
+  const Readers::Reader database = service.reader();
+  if (!find_study(*database, id)) return no_such_study(id);
+  const auto boundary = find_boundary(*database, id);
+  if (!boundary) return problem(404, "Not found", "the study seeks no boundary: its document has none");
+  return varies_by_accept(wants_csv(request) ? csv_response(as_csv(boundary_table(*boundary)))
+                                             : json_response(200, *boundary));
 }
 
 Response delete_study(Service& service, const httplib::Request&, const std::string& id) {

@@ -8,6 +8,7 @@
 #include "runner/worker/red_cell_case.hpp"
 #include "runner/worker/timed_run.hpp"
 #include "solver/baseline/best_time.hpp"
+#include "solver/fluid/quasisteady/membrane_coupling.hpp"
 #include "solver/fluid/quasisteady/quasisteady_flow.hpp"
 #include "solver/membrane/membrane.hpp"
 #include "solver/mesh/shapes.hpp"
@@ -84,16 +85,15 @@ void add_cycles(const Scene& scene, BenchReport& report) {
 
 void add_parts_of_a_step(const Scene& scene, BenchReport& report) {
   const GridGeometry grid{Vec3::Constant(0.05), 0.1};
-  SymmetricBoundary boundary(grid, scene.orbits(true));
-  ViscosityField viscosity(grid, scene.sphere.mesh, scene.orbits(true));
+  MembraneCoupling coupling(grid, scene.sphere.mesh, scene.orbits(true), 4, std::nullopt);
+  ViscosityField viscosity(grid, scene.sphere.mesh, scene.orbits(true), kViscosityHalfWidth);
   QuasisteadyFlow<float> flow(scene.sphere.mesh, scene.orbits(true), {.V = 4});
   Points forces, u;
   flow.solve(0, scene.positions, scene.forces, u);
-  boundary.place(scene.positions);
-  const IndexBox capsule = boundary.touched(2);
+  coupling.place(scene.positions);
   VectorField on_grid;
-  ScalarField ratio;
-  ratio.reset(capsule);
+  InterfaceField interface;
+  interface.reset(coupling.touched());
 
   nlohmann::ordered_json rows;
   const auto add = [&](const char* part, double seconds) {
@@ -101,11 +101,11 @@ void add_parts_of_a_step(const Scene& scene, BenchReport& report) {
   };
   add("forces of the membrane", best_time(kSpan, [&] { scene.membrane.forces(scene.positions, forces); }));
   add("to the grid and back", best_time(kSpan, [&] {
-        boundary.place(scene.positions);
-        boundary.spread(scene.forces, 1, on_grid);
-        boundary.interpolate(on_grid, u);
+        coupling.place(scene.positions);
+        coupling.spread(scene.forces, 1, on_grid);
+        coupling.read(on_grid, u);
       }));
-  add("viscosity field", best_time(kSpan, [&] { viscosity.update(scene.positions, 1, 4, ratio); }));
+  add("viscosity field", best_time(kSpan, [&] { viscosity.update(scene.positions, interface); }));
   add("one cycle", best_time(kSpan, [&] { flow.cycle(); }));
   const TimedRun run = timed_run(scene.red);
   add("a step, mean of a run to kt = 10, without the first", run.seconds_per_step());

@@ -8,11 +8,10 @@
 
 #include "runner/worker/bench_report.hpp"
 #include "solver/baseline/kernel_speed.hpp"
+#include "solver/case/fidelity.hpp"
 
 namespace capstan {
 namespace {
-
-enum class Precision { single, double_ };
 
 /// Cubes that fit into a core's own caches, into the shared cache and into no cache; the fine grid around a
 /// red cell.
@@ -24,7 +23,7 @@ nlohmann::ordered_json measured_row(Kernel kernel, Precision precision, const st
   const KernelSpeed speed = precision == Precision::single ? kernel_speed<float>(kernel, cells)
                                                            : kernel_speed<double>(kernel, cells);
   return {{"method", to_string(kernel)},
-          {"number", precision == Precision::single ? "float" : "double"},
+          {"number", to_string(precision)},
           {"cells",
            std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " x " + std::to_string(cells[2])},
           {"threads", threads},

@@ -15,9 +15,15 @@ void bench_kernel(BenchReport& report);
 /// composite grid and on a quarter of it; the time of each part of a step.
 void bench_cycle(BenchReport& report);
 
-/// Speed-up over the standard method (the paper's Table I and Fig. 18). Our time is that of whole runs; the
-/// standard method's is the number of its lattice updates over its measured rate.
+/// Cycles of the paper's multigrid method in a lid-driven cavity by the relaxation factor (the paper's Fig.
+/// 2).
+void bench_cavity(BenchReport& report);
+
+/// Speed-up over the standard method for red cells (the paper's Table I) and for spheres by Ca and shear rate
+/// (its Fig. 18). Our time is that of whole runs; the standard method's is the number of its lattice updates
+/// over its measured rate.
 void bench_table1(BenchReport& report);
+void bench_fig18(BenchReport& report);
 
 /// Time and memory of a case against its resolution, against its threads, and against the number of cases
 /// that run side by side.

@@ -9,21 +9,25 @@
 
 #include "runner/worker/case_file.hpp"
 #include "runner/worker/timed_run.hpp"
+#include "solver/observe/distance.hpp"
 #include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 namespace {
 
-/// The end of a run.
 struct Run {
   Record last;
-  double seconds = 0;  ///< wall time
+  double seconds = 0;        ///< wall time
+  double distance_of_Q = 0;  ///< to boundary integrals, over the whole run; 0 for their own
 };
 
 /// Nothing if the run did not reach its end; then the reason is printed to standard error.
-std::optional<Run> run_to_end(const Case& c) {
+/// \param stokes  the history of boundary integrals, which is set by their own run
+std::optional<Run> run_to_end(const Case& c, History& stokes) {
   const TimedRun timed = timed_run(c);
-  if (timed.outcome.stop == Stop::reached_end) return Run{timed.history.back(), timed.wall_seconds};
+  if (c.fluid == Fluid::stokes) stokes = timed.history;
+  if (timed.outcome.stop == Stop::reached_end)
+    return Run{timed.history.back(), timed.wall_seconds, distance_between(timed.history, stokes).Q};
   std::cerr << to_string(c.fluid) << ": " << to_string(timed.outcome.stop) << ": " << timed.outcome.message
             << "\n";
   return std::nullopt;
@@ -62,15 +66,15 @@ void print_row(const char* fluid, const LatticeSize* lattice, const Run& run, co
     std::printf(" %4g | %4g |", lattice->dx, lattice->box);
   else
     std::printf("      |      |");
-  std::printf(" %.4f | %+6.2f %% | %+7.4f | %+7.4f | %7.1f |\n", run.last["D_xy"],
+  std::printf(" %.4f | %+6.2f %% | %+7.4f | %+7.4f | %.4f | %7.1f |\n", run.last["D_xy"],
               100 * (run.last["D_xy"] / stokes["D_xy"] - 1), run.last["theta"] / std::numbers::pi,
-              (run.last["theta"] - stokes["theta"]) / std::numbers::pi, run.seconds);
+              (run.last["theta"] - stokes["theta"]) / std::numbers::pi, run.distance_of_Q, run.seconds);
   std::fflush(stdout);
 }
 
-/// Richardson extrapolation to dx = 0 and an infinite box. The error of the smoothed delta function is of
-/// first order in dx; the effect of the walls falls with the cube of their distance, so that doubling the box
-/// leaves an eighth. \param values  on kLattices
+/// Richardson extrapolation to dx = 0 and an infinite box, as for an error of first order in dx; the effect
+/// of the walls falls with the cube of their distance, so that doubling the box leaves an eighth. \param
+/// values  on kLattices
 double extrapolated(const std::array<double, 5>& values) {
   return values[4] + (values[4] - values[3]) + (values[2] - values[1]) / 7;
 }
@@ -86,6 +90,7 @@ nlohmann::ordered_json row_of(const char* fluid, const LatticeSize* lattice, con
   if (lattice) row["box"] = std::isfinite(lattice->box) ? nlohmann::ordered_json(lattice->box) : nullptr;
   row["D_xy"] = run.last["D_xy"];
   row["theta"] = run.last["theta"];
+  row["distance_of_Q"] = run.distance_of_Q;
   row["seconds"] = run.seconds;
   return row;
 }
@@ -93,8 +98,9 @@ nlohmann::ordered_json row_of(const char* fluid, const LatticeSize* lattice, con
 void print_head(const std::filesystem::path& file, const Case& c) {
   std::printf("\n%s: %s, Ca = %g, V = %g, at kt = %g, %d nodes\n\n", file.stem().c_str(),
               to_string(c.shape).data(), c.Ca, c.V, c.until.kt, c.fidelity.nodes);
-  std::printf("| fluid       |   dx |  box |   D_xy |    differs | θ/π      | differs | seconds |\n");
-  std::printf("|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| fluid       |   dx |  box |   D_xy |    differs | θ/π      | differs | dist. Q | seconds |\n");
+  std::printf("|---|---|---|---|---|---|---|---|---|\n");
 }
 
 /// Runs one case with all models. As text each run is printed as it ends. Returns the JSON document; it has
@@ -103,7 +109,8 @@ nlohmann::ordered_json compare(const std::filesystem::path& file, const Case& c,
   nlohmann::ordered_json found = {
       {"file", file.string()}, {"case", to_json(c)}, {"runs", nlohmann::ordered_json::array()}};
   if (!json) print_head(file, c);
-  const auto stokes = run_to_end(in_stokes_flow(c));
+  History history_in_stokes_flow;
+  const auto stokes = run_to_end(in_stokes_flow(c), history_in_stokes_flow);
   if (!stokes) return found;
   const auto add = [&](const char* fluid, const LatticeSize* lattice, const Run& run) {
     found["runs"].push_back(row_of(fluid, lattice, run));
@@ -112,7 +119,7 @@ nlohmann::ordered_json compare(const std::filesystem::path& file, const Case& c,
   add("stokes", nullptr, *stokes);
   std::array<double, 5> D_xy{}, theta{};
   for (std::size_t i = 0; i < kLattices.size(); ++i) {
-    const auto lattice_run = run_to_end(on_lattice(c, kLattices[i]));
+    const auto lattice_run = run_to_end(on_lattice(c, kLattices[i]), history_in_stokes_flow);
     if (!lattice_run) return found;
     add("quasisteady", &kLattices[i], *lattice_run);
     D_xy[i] = lattice_run->last["D_xy"], theta[i] = lattice_run->last["theta"];

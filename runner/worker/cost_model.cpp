@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
 
 #include "runner/worker/timed_run.hpp"
+#include "solver/case/ladder.hpp"
 #include "solver/case/run_cost.hpp"
 
 namespace capstan {
@@ -40,7 +42,8 @@ std::vector<Measurement> measure(const std::vector<const Case*>& kind, std::size
   std::vector<Measurement> measurements;
   for (std::size_t i = 0; i < count; ++i) {
     const Case& c = *kind[(2 * i + 1) * kind.size() / (2 * count)];
-    measurements.push_back({&c, time(c, kMeasurementSeconds / double(count * kinds)) / run_cost(c)});
+    const Case run = single_run(c);
+    measurements.push_back({&c, time(run, kMeasurementSeconds / double(count * kinds)) / run_cost(run)});
   }
   return measurements;
 }
@@ -63,7 +66,7 @@ std::vector<double> estimated_seconds(const std::vector<Case>& cases, const Case
   for (const Case& c : cases) {
     const Measurement& nearest = *std::ranges::min_element(
         measurements[kind_of(c)], {}, [&](const Measurement& other) { return distance(c, *other.measured); });
-    seconds.push_back(run_cost(c) * nearest.ratio);
+    seconds.push_back(case_cost(c) * nearest.ratio);
   }
   return seconds;
 }

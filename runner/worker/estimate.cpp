@@ -8,19 +8,13 @@
 #include <numeric>
 #include <set>
 
-#include "runner/study/shown_value.hpp"
+#include "runner/render/duration.hpp"
 #include "runner/worker/bench_report.hpp"
 #include "runner/worker/cost_model.hpp"
 #include "solver/run_directory/exit_code.hpp"
 
 namespace capstan {
 namespace {
-
-std::string duration_in_words(double seconds) {
-  if (seconds < 90) return shown_value(std::round(10 * seconds) / 10) + " s";
-  if (seconds < 90 * 60) return shown_value(std::round(seconds / 6) / 10) + " min";
-  return shown_value(std::round(seconds / 360) / 10) + " h";
-}
 
 /// One row a case: the values of the axes as the study asks for them at the case's first point, its flow
 /// model and its time.

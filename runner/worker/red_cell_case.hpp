@@ -11,4 +11,7 @@ namespace capstan {
 /// \param kt     end of the run
 Case red_cell_case(double Ca, double dx, int nodes, double kdt, double kt);
 
+/// The same cell at fidelity `standard` (dx = 0.1, 2562 nodes); the program chooses the time steps.
+Case standard_red_cell_case(double Ca, double kt);
+
 }  // namespace capstan

@@ -1,17 +1,16 @@
 #include "runner/worker/solve.hpp"
 
 #include <omp.h>
-#include <unistd.h>
-
 #include <cstdlib>
 #include <iostream>
 
 #include "runner/worker/case_file.hpp"
 #include "runner/worker/interruption.hpp"
-#include "runner/worker/run_progress.hpp"
+#include "runner/worker/run_case.hpp"
 #include "solver/case/case_warnings.hpp"
 #include "solver/case/content_id.hpp"
 #include "solver/output/run_recorder.hpp"
+#include "solver/run_directory/attempt_token.hpp"
 #include "solver/run_directory/directory_lock.hpp"
 #include "solver/run_directory/durable_file.hpp"
 #include "solver/run_directory/exit_code.hpp"
@@ -26,30 +25,6 @@ void use_one_core_by_default() {
   if (!std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(1);
 }
 
-/// Writes the run directory, and prints the progress.
-class ReportingRecorder : public RunRecorder {
- public:
-  /// \param end_seconds  value of steady_seconds() at which the run is interrupted
-  ReportingRecorder(const std::filesystem::path& out, const Case& c, const Choices& choices,
-                    double end_seconds)
-      : RunRecorder(out, c, choices,
-                    [=] { return is_interruption_wanted() || steady_seconds() > end_seconds; }),
-        progress_(c.until.kt) {}
-
-  void record(const Record& record) override {
-    RunRecorder::record(record);
-    progress_.show(record);
-  }
-
- private:
-  RunProgress progress_;
-};
-
-RunEnding ending_of(Stop stop) {
-  if (stop == Stop::interrupted) return RunEnding::interrupted;
-  return has_answer(stop) ? RunEnding::done : RunEnding::diverged;
-}
-
 /// Writes the case file if the directory has none. Returns whether the directory belongs to the case: it
 /// belongs to the first case that ran there.
 bool claim_directory(const RunDirectory& directory, const Case& c) {
@@ -62,24 +37,6 @@ bool claim_directory(const RunDirectory& directory, const Case& c) {
 void print_choices_and_warnings(const ParsedCase& parsed) {
   for (const Choice& choice : parsed.choices) std::cerr << in_words(choice) << "\n";
   for (const std::string& warning : case_warnings(*parsed.value)) std::cerr << "warning: " << warning << "\n";
-}
-
-void print_outcome(const Outcome& outcome, const Verdict& verdict) {
-  const bool on_terminal =
-      isatty(STDERR_FILENO);  // then the line that shows the progress still lacks its line end
-  std::cerr << (on_terminal ? "\n" : "") << to_string(outcome.stop)
-            << (outcome.message.empty() ? "" : ": " + outcome.message) << "\n";
-  if (has_answer(outcome.stop)) std::cerr << to_string(verdict.motion) << ": " << verdict.explanation << "\n";
-}
-
-int run(const ParsedCase& parsed, const std::filesystem::path& out, double end_seconds) {
-  ReportingRecorder recorder(out, *parsed.value, parsed.choices, end_seconds);
-  Simulation simulation(*parsed.value);
-  recorder.resume(simulation, [](const std::string& line) { std::cerr << line << "\n"; });
-  const Outcome outcome = simulation.run(recorder);
-  print_outcome(outcome, simulation.verdict());
-  recorder.finish(simulation, outcome);
-  return exit_code_of(ending_of(outcome.stop));
 }
 
 int lock_and_run(const std::filesystem::path& case_file, const std::filesystem::path& out,
@@ -100,7 +57,7 @@ int lock_and_run(const std::filesystem::path& case_file, const std::filesystem::
     return kExitInvalidInput;
   }
   print_choices_and_warnings(parsed);
-  return run(parsed, out, end_seconds);
+  return exit_code_of(run_case(parsed, directory, end_seconds));
 }
 
 }  // namespace
@@ -112,6 +69,8 @@ int solve_case(const std::filesystem::path& case_file, const std::filesystem::pa
   use_one_core_by_default();
   try {
     return lock_and_run(case_file, out, end_seconds);
+  } catch (const AttemptWithdrawn&) {
+    throw;
   } catch (const std::exception& error) {
     std::cerr << "capstan solve: " << error.what() << "\n";
     return kExitError;

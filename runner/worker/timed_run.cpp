@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <stdexcept>
 
 namespace capstan {
 namespace {
@@ -63,6 +64,13 @@ TimedRun timed_run(const Case& c, double max_seconds) {
           .cpu_seconds = processor_seconds() - cpu,
           .wall_seconds = seconds_since(start),
           .steady_seconds = output.seconds_since_first_step()};
+}
+
+TimedRun complete_run(const Case& c) {
+  TimedRun run = timed_run(c);
+  if (run.outcome.stop != Stop::reached_end)
+    throw std::runtime_error("a run of the benchmark has no answer: " + run.outcome.message);
+  return run;
 }
 
 }  // namespace capstan

@@ -24,4 +24,8 @@ struct TimedRun {
 /// Runs a case until it ends or has taken `max_seconds` of wall time, but at least two steps.
 TimedRun timed_run(const Case& c, double max_seconds = 1e9);
 
+/// Runs a case to its end. Throws std::runtime_error with the reason if it breaks down: the time of a run
+/// without an answer is no time.
+TimedRun complete_run(const Case& c);
+
 }  // namespace capstan

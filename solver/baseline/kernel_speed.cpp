@@ -55,7 +55,7 @@ struct CompositeGrid {
     const IndexBox box{{-nx / 2, 0, 0}, {nx / 2, ny, nz}};
     const IndexBox domain{{-nx, 0, 0}, {nx, 2 * ny, 2 * nz}};
     const Domain quarter{.cells = 2 * nx, .is_quarter = true, .is_uniform = false};
-    return MomentGrid<Real>(box, domain, quarter.rules(), kDx, kRe, has_stress, {{0.9, 0.75}, 0.5});
+    return MomentGrid<Real>(box, domain, quarter.rules(), kDx, kRe, has_stress, {{{0.9, 0.5}, {0.75, 0.5}}});
   }
 };
 
@@ -88,19 +88,5 @@ KernelSpeed kernel_speed(Kernel kernel, const std::array<int, 3>& cells) {
 
 template KernelSpeed kernel_speed<float>(Kernel, const std::array<int, 3>&);
 template KernelSpeed kernel_speed<double>(Kernel, const std::array<int, 3>&);
-
-std::string_view to_string(Kernel kernel) {
-  switch (kernel) {
-    case Kernel::nineteen_populations:
-      return "19 populations";
-    case Kernel::four_moments:
-      return "four moments";
-    case Kernel::composite:
-      return "composite";
-    case Kernel::composite_stress:
-      break;
-  }
-  return "with stresses";
-}
 
 }  // namespace capstan

@@ -1,7 +1,8 @@
 #pragma once
 // The speed of the lattices' inner loops, and its ratio to the limit set by the memory bandwidth.
 #include <array>
-#include <string_view>
+
+#include "solver/case/words.hpp"
 
 namespace capstan {
 
@@ -12,7 +13,12 @@ enum class Kernel {
   composite,             ///< one smoothing sweep of the quasisteady model, ghosts included
   composite_stress,      ///< the same with stresses, as in cells of another viscosity than the ambient one
 };
-std::string_view to_string(Kernel kernel);
+template <>
+inline constexpr auto kWords<Kernel> =
+    std::to_array<Word<Kernel>>({{Kernel::nineteen_populations, "19 populations"},
+                                 {Kernel::four_moments, "four moments"},
+                                 {Kernel::composite, "composite"},
+                                 {Kernel::composite_stress, "with stresses"}});
 
 struct KernelSpeed {
   double updates;  ///< cells updated per second

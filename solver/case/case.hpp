@@ -1,7 +1,7 @@
 #pragma once
 // One run: all inputs that determine its results, dimensionless (radius a = 1, shear rate k = 1, ambient
 // viscosity mu_a = 1). parse_case makes a Case from a case file and checks it; parameters.hpp lists the keys.
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,11 +29,13 @@ inline constexpr auto kWords<BendingModel> = std::to_array<Word<BendingModel>>(
 
 enum class Fluid {
   quasisteady,  ///< steady lattice Boltzmann flow at every step, by multigrid (the paper's method)
+  unsteady,     ///< the same with the time derivative of the flow, by backward differences
   transient,    ///< the standard lattice Boltzmann method in time (the paper's baseline)
   stokes,       ///< boundary integrals: no inertia, no walls, no grid
 };
 template <>
 inline constexpr auto kWords<Fluid> = std::to_array<Word<Fluid>>({{Fluid::quasisteady, "quasisteady"},
+                                                                  {Fluid::unsteady, "unsteady"},
                                                                   {Fluid::transient, "transient"},
                                                                   {Fluid::stokes, "stokes"}});
 
@@ -76,6 +78,8 @@ struct Case {
   SpontaneousCurvature c0 = InitialCurvature{};
   Fluid fluid = Fluid::stokes;
   Until until;
+  bool companion =
+      true;  ///< whether the rung below is computed, too, for an estimate of the error (ladder.hpp)
   Fidelity fidelity;
   Outputs outputs;
 
@@ -84,10 +88,15 @@ struct Case {
   bool has_viscosity_ratio() const { return V != 1; }
   /// Whether the model solves an equation iteratively at every step. Boundary integrals do not at V = 1,
   /// where the velocities are given by an explicit integral.
-  bool solves_for_flow() const { return fluid == Fluid::quasisteady || (fluid == Fluid::stokes && V != 1); }
+  bool solves_for_flow() const {
+    return fluid == Fluid::quasisteady || fluid == Fluid::unsteady || (fluid == Fluid::stokes && V != 1);
+  }
   bool has_grid() const { return fluid != Fluid::stokes; }
-  /// Whether the model is the quasisteady flow on a composite grid, and not the scheme of the paper.
-  bool has_composite_grid() const { return fluid == Fluid::quasisteady && fidelity.scheme == Scheme::tuned; }
+  /// Whether the model is the quasisteady flow on a composite grid, and not the scheme of the paper; or the
+  /// unsteady flow, which has no other grid.
+  bool has_composite_grid() const {
+    return fluid == Fluid::unsteady || (fluid == Fluid::quasisteady && fidelity.scheme == Scheme::tuned);
+  }
   /// Whether the numbers on the lattice can be in single or double precision.
   bool has_precision() const { return fluid == Fluid::transient || has_composite_grid(); }
   /// Whether the model can solve for a quarter of a symmetric flow.

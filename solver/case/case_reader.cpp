@@ -1,13 +1,13 @@
 #include "solver/case/case_reader.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "solver/case/choose_fluid.hpp"
+#include "solver/case/grid_size.hpp"
+#include "solver/case/ladder.hpp"
 #include "solver/case/nearest_word.hpp"
 #include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
-#include "solver/grid/halved_cells.hpp"
 
 namespace capstan {
 namespace {
@@ -22,20 +22,16 @@ std::vector<std::string_view> keys_of_group(const std::string& group) {
   return keys;
 }
 
-/// A preset's settings for a flow model: boundary integrals take its mesh only.
+/// A preset's settings for a flow model: boundary integrals take its mesh only, and the unsteady flow has one
+/// scheme.
 Fidelity settings_for(const Case& c, const FidelityPreset& preset) {
-  if (c.has_grid()) return preset.settings;
-  Fidelity fidelity;
+  Fidelity fidelity = preset.settings;
+  if (c.fluid == Fluid::unsteady) fidelity.scheme = Scheme::tuned;
+  if (c.has_grid()) return fidelity;
+  fidelity = {};
   fidelity.nodes = preset.settings.nodes;
   fidelity.stepper = Stepper::runge_kutta_chebyshev;
   return fidelity;
-}
-
-std::vector<std::string> preset_names() {
-  std::vector<std::string> names;
-  names.reserve(fidelity_presets().size());
-  for (const FidelityPreset& preset : fidelity_presets()) names.emplace_back(preset.name);
-  return names;
 }
 
 /// Known keys that the object lacks, sorted.
@@ -122,23 +118,35 @@ void CaseReader::read_fidelity() {
       if (parameter.group == "fidelity") read_parameter(parameter);
     check_unknown_keys("/fidelity", *fidelity, keys_of_group("fidelity"));
   }
-  choose_time_step();
+  if (case_.fidelity.error > 0 && has_ladder(case_))
+    choose_rung();
+  else
+    choose_time_step();
 }
 
 void CaseReader::start_from_preset(const std::string& pointer, const json& name) {
-  const WordFound found = find_word(name, preset_names());
+  const std::vector<std::string_view> names = preset_names();
+  const WordFound found = find_word(name, {names.begin(), names.end()});
   if (!found.issue.empty()) add_issue(pointer, found.issue);
   if (const FidelityPreset* preset = find_preset(found.word)) case_.fidelity = settings_for(case_, *preset);
 }
 
+/// The time step that the file leaves to the solver.
 void CaseReader::choose_time_step() {
   Fidelity& fidelity = case_.fidelity;
   const json settings = document_.value("fidelity", json());
   const bool has_stepper = settings.contains("stepper"), has_kdt = settings.contains("kdt");
-  if (!has_stepper && !has_kdt && case_.fluid == Fluid::quasisteady)
-    fidelity.stepper = default_stepper(case_);
-  if (has_kdt) return;
-  fidelity.kdt = fidelity.stepper == Stepper::adams_bashforth ? default_kdt(case_) : 0;
+  if (!has_stepper && !has_kdt) return capstan::choose_time_step(case_);
+  if (!has_kdt) fidelity.kdt = kdt_of_stepper(case_);
+}
+
+/// An error asked for is met by a rung of the ladder instead of a preset.
+void CaseReader::choose_rung() {
+  const json settings = document_.value("fidelity", json());
+  if (settings.contains("preset"))
+    add_issue("/fidelity/preset",
+              "has no effect beside error, which chooses the resolution: leave out one of the two");
+  case_ = at_first_rung(case_);
 }
 
 void CaseReader::check_effects() {
@@ -152,16 +160,10 @@ void CaseReader::check_effects() {
 }
 
 void CaseReader::check_grid() {
-  constexpr int kMaxCoarsestCells =
-      24;  // along an edge of the coarsest grid, which is solved by sweeps alone
-  const double cells = case_.fidelity.box / case_.fidelity.dx;
-  if (std::abs(cells - std::round(cells)) > 1e-9 * cells || std::lround(cells) % 8 != 0)
-    add_issue("/fidelity",
-              "box/dx is " + shown(cells) + ", must be a multiple of 8 so that the grid can be coarsened");
-  else if (case_.has_composite_grid() && halved_cells(int(std::lround(cells))).back() > kMaxCoarsestCells)
-    add_issue("/fidelity", "box/dx is " + shown(cells) +
-                               ", which cannot be halved until 24 or less are left; try " +
-                               shown(std::exp2(std::round(std::log2(cells)))));
+  if (const std::string issue = issue_of_grid(case_); !issue.empty()) add_issue("/fidelity", issue);
+  if (case_.fidelity.error > 0 && !coarser(case_))
+    add_issue("/fidelity/box", "is " + shown(case_.fidelity.box) +
+                                   ", which does not fit two lattices of the ladder; take a multiple of 3.2");
 }
 
 void CaseReader::check_unknown_keys(const std::string& pointer, const json& object,

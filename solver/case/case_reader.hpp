@@ -33,6 +33,7 @@ class CaseReader {
   /// \param pointer  to the name of the preset in the document
   void start_from_preset(const std::string& pointer, const nlohmann::json& name);
   void choose_time_step();
+  void choose_rung();
   void check_effects();
   void check_grid();
   /// \param known  keys of the object at `pointer`

@@ -1,20 +1,24 @@
 #include "solver/case/case_warnings.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "solver/case/choose_fluid.hpp"
+#include "solver/case/grid_size.hpp"
 #include "solver/case/shown_number.hpp"
 
 namespace capstan {
 namespace {
+
+constexpr double kCoarse = 0.2;  // dx at which an inside of any viscosity in range can be solved for
 
 /// Warns if the flow model neglects inertia at a Reynolds number above the limit of the paper, fig. 10.
 std::string neglected_inertia(const Case& c) {
   if (!neglects_inertia(c)) return "";
   return "Re = " + rounded(c.Re) +
          ": the quasi-steady flow neglects the time derivative, which matters from Re = 0.1 on; use "
-         "\"fluid\": \"transient\"";
+         "\"fluid\": \"unsteady\"";
 }
 
 /// Edge length / a of equilateral triangles that cover the unit sphere.
@@ -36,25 +40,100 @@ std::string lattice_finer_than_mesh(const Case& c) {
          rounded(edge / kMaxEdge);
 }
 
-/// The jump of the viscosity is smoothed over some cells. Measured for spheres (Ca = 0.05 and 0.2, kt = 6, V
-/// > 1): D is too large by about 0.09 V dx. With dx = 0.2 that is 8 % at V = 5, 18 % at 10, 63 % at 30 and
-/// 150 to 200 % at 100; with dx = 0.1 about half. For V < 1 the error does not depend on V.
+/// How much too large D of a round capsule comes out, per dx. Measured for spheres (Ca = 0.05 and 0.2, kt =
+/// 6, V > 1): where the jump of the viscosity is smoothed over four cells 0.09 V dx, 8 % at V = 5 and dx =
+/// 0.2, 18 % at
+/// 10. On the composite grid at dx = 0.2 within 5 % to V = 10, then 12 % at 20, 30 % at 30 and 140 % at 100.
+/// For V < 1 the error does not depend on V.
+double deformation_error_per_dx(const Case& c) {
+  if (!c.has_grid() || c.V <= 1) return 0;
+  return c.has_composite_grid() ? 0.07 * std::max(0., c.V - 11) : 0.09 * c.V;
+}
+
 std::string viscosity_on_coarse_lattice(const Case& c) {
-  constexpr double kErrorOfD = 0.09, kMaxError = 0.1, kFinest = 0.02;
-  const double error = kErrorOfD * c.V * c.fidelity.dx, fine_enough = kMaxError / (kErrorOfD * c.V);
-  if (!c.has_grid() || c.V <= 1 || error < kMaxError) return "";
+  constexpr double kMaxError = 0.1, kFinest = 0.02;
+  const double error = deformation_error_per_dx(c) * c.fidelity.dx;
+  if (error < kMaxError) return "";
+  const double fine_enough = kMaxError / deformation_error_per_dx(c);
   return "V = " + rounded(c.V) + " on a lattice of dx = " + rounded(c.fidelity.dx) +
-         ": the jump of the viscosity is smoothed over some cells, and the deformation of round capsules "
-         "comes out about " +
-         rounded(100 * error) + " % too large; use \"fluid\": \"stokes\"" +
+         ": the deformation of round capsules comes out about " + rounded(100 * error) +
+         " % too large; use \"fluid\": \"stokes\"" +
          (fine_enough >= kFinest ? ", or dx of at most " + rounded(fine_enough) : "");
+}
+
+std::string inside_too_thin_for_lattice(const Case& c) {
+  if (!is_too_thin_for_lattice(c)) return "";
+  return "V = " + rounded(c.V) + " on a lattice of dx = " + rounded(c.fidelity.dx) +
+         ": the solution of the flow is likely to become unstable; use \"fluid\": \"stokes\", a larger V, or "
+         "dx = " +
+         rounded(kCoarse);
+}
+
+bool is_round(const Case& c) {
+  const auto [axis, across] = semi_axes(c);
+  return c.shape != Shape::biconcave && std::abs(std::log(axis / across)) < std::log(1.25);
+}
+
+/// Whether a membrane without bending stiffness would wrinkle. Measured to kt = 10, V = 1, 5 and 20, Ca =
+/// 0.02 to 0.5, with boundary integrals: at V = 1 red cells and spheroids of b/a = 0.7, 0.5, 0.25, 1.5 and 3
+/// fold by 70 to 180 degrees from kt = 3 to 8 on where Ca is at most 0.1 to 0.2, at V = 5 the flatter ones,
+/// at V = 20 none. Nearly round shapes do at Ca = 0.0125 to 0.02 and V = 1, not at 0.05. Larger Ca draw the
+/// capsule out to sharp tips, and its middle stays smooth.
+bool is_compressed(const Case& c) {
+  constexpr double kFirstWrinkles = 2;  // kt
+  if (c.until.kt <= kFirstWrinkles) return false;
+  return is_round(c) ? c.Ca < 0.04 && c.V < 5 : c.Ca < 0.3 && c.V < 10;
+}
+
+/// Wrinkles change a sphere's D_xy at Ca = 0.0125 by 11 % with 2562 nodes. E_b = 0.0001 keeps spheres smooth
+/// and lowers D_xy by 0.5 %. Red cells need more (Ca = 0.25, V = 4: 150 degrees between faces at E_b = 0, 109
+/// at 0.001, 59 at 0.005).
+std::string membrane_without_bending(const Case& c) {
+  if (c.has_bending() || !is_compressed(c)) return "";
+  const std::string enough = is_round(c) ? "0.0001" : "0.005";
+  return "the membrane has no bending stiffness (E_b = 0) and wrinkles where it is compressed; the wrinkles "
+         "are "
+         "as wide as the edges of the mesh, and the result depends on them: use E_b = " +
+         enough;
+}
+
+/// Two walls and the periodic images of the capsule change Q by a part that is proportional to 1/box³.
+/// Measured in boxes of 6.4 and 12.8 (studies/cross_validation): the larger numbers are those of red cells.
+std::string confinement(const Case& c) {
+  constexpr double kWide = 10, kMeasuredBox = 12.8, kMinChange = 0.001, kMaxChange = 0.015;
+  if (!c.has_grid() || c.fidelity.box >= kWide) return "";
+  const double narrower = std::pow(kMeasuredBox / c.fidelity.box, 3);
+  return "a box of " + rounded(c.fidelity.box) +
+         " a: its walls change Q = D_xy (cos 2 theta, sin 2 theta) by about " +
+         rounded(kMinChange * narrower, 2) + " to " + rounded(kMaxChange * narrower, 2) +
+         " (studies/cross_validation); for an unbounded fluid use a box of 12.8 or more, or \"fluid\": "
+         "\"stokes\"";
+}
+
+/// Where no results were compared with those of other resolutions and of the other flow model.
+std::string not_validated(const Case& c) {
+  constexpr double kMinCa = 0.01, kMaxCa = 2, kMinV = 0.1, kMaxV = 20;
+  std::string outside;
+  if (c.Ca < kMinCa || c.Ca > kMaxCa) outside = "Ca = " + rounded(c.Ca) + " is outside 0.01 to 2";
+  if (c.V < kMinV || c.V > kMaxV)
+    outside += (outside.empty() ? "V = " : " and V = ") + rounded(c.V) + " is outside 0.1 to 20";
+  if (outside.empty()) return "";
+  return outside +
+         ", where errors were measured: compare with a run of four times as many nodes, or with the "
+         "other flow model (capstan compare)";
 }
 
 }  // namespace
 
+bool is_too_thin_for_lattice(const Case& c) {
+  constexpr double kMinV = 0.05;
+  return c.has_composite_grid() && c.V < kMinV && c.fidelity.dx < kCoarse;
+}
+
 std::vector<std::string> case_warnings(const Case& c) {
   std::vector<std::string> warnings;
-  for (auto* warning : {neglected_inertia, lattice_finer_than_mesh, viscosity_on_coarse_lattice})
+  for (auto* warning : {neglected_inertia, membrane_without_bending, lattice_finer_than_mesh,
+                        viscosity_on_coarse_lattice, inside_too_thin_for_lattice, confinement, not_validated})
     if (std::string text = warning(c); !text.empty()) warnings.push_back(std::move(text));
   return warnings;
 }

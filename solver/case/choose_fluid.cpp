@@ -17,7 +17,7 @@ std::string lattice_setting(const nlohmann::json& fidelity) {
 
 }  // namespace
 
-Fluid lattice_for(double Re) { return Re < 0.1 ? Fluid::quasisteady : Fluid::transient; }
+Fluid lattice_for(double Re) { return Re < 0.1 ? Fluid::quasisteady : Fluid::unsteady; }
 
 bool neglects_inertia(const Case& c) {
   return c.fluid == Fluid::quasisteady && lattice_for(c.Re) != Fluid::quasisteady;
@@ -29,14 +29,14 @@ FluidChoice choose_fluid(double Re, const nlohmann::json& fidelity) {
     return {Fluid::quasisteady,
             setting + " is a setting of a lattice; at " + at + " its flow may be taken as steady"};
   if (!setting.empty())
-    return {Fluid::transient,
+    return {Fluid::unsteady,
             setting + " is a setting of a lattice; at " + at + " its flow has to follow in time"};
   if (Re > kMaxStokesRe)
-    return {Fluid::transient,
+    return {Fluid::unsteady,
             at + " is above " + shown(kMaxStokesRe) + ", so the inertia of the fluid matters"};
   return {Fluid::stokes, "neither inertia (" + at +
                              ") nor walls nor a setting of a lattice were asked for; "
-                             "boundary integrals are then more accurate at the same cost"};
+                             "boundary integrals are then the cheapest at equal accuracy"};
 }
 
 }  // namespace capstan

@@ -1,7 +1,7 @@
 #pragma once
 // The flow model of a case that leaves the choice to the solver ("fluid": "auto", the default).
 //
-// At equal cost the errors of boundary integrals are 7 to 100 times smaller than those of a lattice. But they
+// Boundary integrals are the cheapest at equal accuracy (studies/cross_validation). But they
 // have no inertia, no walls and no grid: a case that requires one of these is computed on a lattice.
 #include <nlohmann/json.hpp>
 #include <string>
@@ -21,11 +21,12 @@ struct FluidChoice {
 /// \param fidelity  value of that key in the case file; null if it is not given
 FluidChoice choose_fluid(double Re, const nlohmann::json& fidelity);
 
-/// The lattice model for a Reynolds number: quasisteady below 0.1, where its error starts to grow (paper,
-/// fig. 10).
+/// The lattice model for a Reynolds number: quasisteady below 0.1, else unsteady. Without the time derivative
+/// Q = D_xy (cos 2 theta, sin 2 theta) is wrong by up to 0.09 Re (studies/fig10). At Re = 0.1 this is the
+/// error of the lattice at fidelity fast.
 Fluid lattice_for(double Re);
 
-/// Whether the case has the quasisteady model at a Reynolds number that needs the transient one.
+/// Whether the case has the quasisteady model at a Reynolds number that needs the unsteady one.
 bool neglects_inertia(const Case& c);
 
 }  // namespace capstan

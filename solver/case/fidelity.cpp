@@ -1,7 +1,5 @@
 #include "solver/case/fidelity.hpp"
 
-#include <algorithm>
-
 namespace capstan {
 
 const std::vector<FidelityPreset>& fidelity_presets() {
@@ -18,16 +16,17 @@ const std::vector<FidelityPreset>& fidelity_presets() {
   return presets;
 }
 
+std::vector<std::string_view> preset_names() {
+  std::vector<std::string_view> names;
+  names.reserve(fidelity_presets().size());
+  for (const FidelityPreset& preset : fidelity_presets()) names.push_back(preset.name);
+  return names;
+}
+
 const FidelityPreset* find_preset(std::string_view name) {
   for (const FidelityPreset& preset : fidelity_presets())
     if (preset.name == name) return &preset;
   return nullptr;
-}
-
-std::optional<int> icosphere_subdivisions(int nodes) {
-  const auto found = std::ranges::find(kIcosphereNodes, nodes);
-  if (found == std::end(kIcosphereNodes)) return std::nullopt;
-  return int(found - std::begin(kIcosphereNodes));
 }
 
 }  // namespace capstan

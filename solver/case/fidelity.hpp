@@ -1,6 +1,5 @@
 #pragma once
 // Accuracy against speed: the numerical settings of one run, and named presets of them.
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -41,9 +40,11 @@ inline constexpr auto kWords<Precision> = std::to_array<Word<Precision>>({{Preci
                                                                           {Precision::double_, "double"}});
 
 struct Fidelity {
+  double error = 0;   ///< largest error of Q = D_xy (cos 2 theta, sin 2 theta) that the run may have: it then
+                      ///< climbs the ladder of resolutions (ladder.hpp); 0: a run with the settings below
   double dx = 0.1;    ///< lattice spacing / a
   double box = 12.8;  ///< edge of the cubic domain / a
-  int nodes = 2562;   ///< membrane vertices: 10 * 4^n + 2
+  int nodes = 2562;   ///< membrane vertices: one of kIcosphereNodes
   Stepper stepper = Stepper::adams_bashforth;
   double kdt = 0.02;        ///< time step k*dt of the membrane; 0 where the stepper chooses
   double tolerance = 1e-4;  ///< relative error of the membrane velocity (scheme tuned) or eq. 26 (paper)
@@ -60,12 +61,11 @@ struct FidelityPreset {
   Fidelity settings;
 };
 const std::vector<FidelityPreset>& fidelity_presets();
+std::vector<std::string_view> preset_names();
 const FidelityPreset* find_preset(std::string_view name);
 
-/// Vertex counts of the icosahedron subdivided 0, 1, 2 ... times.
-inline constexpr int kIcosphereNodes[] = {12, 42, 162, 642, 2562, 10242, 40962};
-
-/// Number of subdivisions of the icosahedron for this vertex count; nothing if there is no such number.
-std::optional<int> icosphere_subdivisions(int nodes);
+/// Vertex counts of the icosahedron whose edges are divided into 1, 2, 3, 4, 6, 8, 12 ... parts
+/// (icosphere.hpp).
+inline constexpr int kIcosphereNodes[] = {12, 42, 92, 162, 362, 642, 1442, 2562, 5762, 10242, 23042, 40962};
 
 }  // namespace capstan

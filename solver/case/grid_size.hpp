@@ -1,6 +1,8 @@
 #pragma once
 // Size of the capsule at rest and number of grid cells: cost, memory and disk space of a run are estimated
 // from them.
+#include <string>
+
 #include "solver/case/case.hpp"
 
 namespace capstan {
@@ -10,6 +12,9 @@ struct SemiAxes {
   double along_axis = 1, across = 1;
 };
 SemiAxes semi_axes(const Case& c);
+
+/// Why the grid cannot be coarsened as its multigrid method requires; "" if it can.
+std::string issue_of_grid(const Case& c);
 
 /// Number of cells of a uniform grid over the whole domain.
 double uniform_cells(const Case& c);

@@ -58,12 +58,6 @@ ordered_json required_keys() {
   return keys;
 }
 
-ordered_json preset_names() {
-  ordered_json names = ordered_json::array();
-  for (const FidelityPreset& preset : fidelity_presets()) names.push_back(preset.name);
-  return names;
-}
-
 }  // namespace
 
 ordered_json case_schema() {

@@ -32,7 +32,7 @@ double gigabytes_of_shapes(const Case& c) { return shapes_size(c) / 1e9; }
 
 double gigabytes_of_grid(const Case& c) { return grid_bytes(c) / 1e9; }
 
-double days(const Case& c) { return run_cost(c) / 86400; }
+double days(const Case& c) { return case_cost(c) / 86400; }
 
 /// An upper limit of a quantity.
 struct Limit {
@@ -46,9 +46,9 @@ constexpr Limit kLimits[] = {
     // a step takes at least 10 microseconds
     {"/Re", transient_steps, 1e8, "time steps",
      "a step of the transient flow is k dt = 0.04 Re dx^2, so raise Re or dx, lower until.kt, or take the "
-     "fluid "
-     "quasisteady or stokes"},
-    {"/fidelity/kdt", equal_steps, 1e8, "time steps", "raise kdt, lower until.kt, or take the stepper rkc2"},
+     "fluid unsteady, quasisteady or stokes"},
+    {"/fidelity/kdt", equal_steps, 1e8, "time steps",
+     "raise kdt, lower until.kt, or (except with unsteady) take the stepper rkc2"},
     // a record is a line of history.jsonl and a row of the database
     {"/outputs/history_every", records, 2e5, "records", "raise outputs.history_every or lower until.kt"},
     // a shape is a file, all in one directory

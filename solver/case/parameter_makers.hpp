@@ -36,11 +36,10 @@ Value boolean(Member... member) {
 /// \param also  a further word, which leaves the choice to the solver
 template <HasWords Enum>
 Value word(Place<Enum> place, std::string also = "") {
-  std::vector<std::string> words;
-  words.reserve(kWords<Enum>.size());
-  for (const auto& row : kWords<Enum>) words.emplace_back(row.word);
+  constexpr auto kNames = words_of<Enum>();
   return std::make_shared<WordValue>(
-      std::move(words), [place](Case& c, std::string_view given) { *place(c) = *parse_word<Enum>(given); },
+      std::vector<std::string>(kNames.begin(), kNames.end()),
+      [place](Case& c, std::string_view given) { *place(c) = *parse_word<Enum>(given); },
       [place](const Case& c) { return to_string(*place(const_cast<Case&>(c))); }, std::move(also));
 }
 

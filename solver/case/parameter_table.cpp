@@ -1,4 +1,5 @@
 // The rows of the table of parameters.
+#include "solver/case/ladder.hpp"
 #include "solver/case/law_constants.hpp"
 #include "solver/case/limits.hpp"
 #include "solver/case/parameter_makers.hpp"
@@ -34,6 +35,10 @@ bool has_precision(const Case& c) { return c.has_precision(); }
 bool can_use_symmetry(const Case& c) { return c.can_use_symmetry(); }
 bool solves_for_flow(const Case& c) { return c.solves_for_flow(); }
 bool chooses_time_step(const Case& c) { return c.fluid != Fluid::transient; }
+bool chooses_stepper(const Case& c) { return c.fluid != Fluid::unsteady; }
+bool chooses_scheme(const Case& c) { return c.fluid != Fluid::unsteady; }
+bool has_fixed_settings(const Case& c) { return c.fidelity.error == 0; }
+bool has_error_asked_for(const Case& c) { return c.fidelity.error > 0; }
 bool has_equal_steps(const Case& c) { return c.fidelity.stepper == Stepper::adams_bashforth; }
 
 Condition needs_aspect() { return {has_aspect, "only oblate and prolate shapes have an aspect", "shape"}; }
@@ -44,13 +49,23 @@ Condition needs_grid() { return {has_grid, "boundary integrals have no grid"}; }
 Condition needs_own_time_step() {
   return {chooses_time_step, "the transient flow's time step is set by the lattice"};
 }
+Condition needs_choice_of_stepper() {
+  return {chooses_stepper, "the unsteady flow is solved for once a step, at increasing times, as by ab2"};
+}
+Condition needs_choice_of_scheme() { return {chooses_scheme, "the unsteady flow has one scheme"}; }
+Condition needs_ladder() {
+  return {has_ladder, "only boundary integrals and the composite grid have a ladder"};
+}
+Condition needs_fixed_settings() { return {has_fixed_settings, "it follows from the error asked for"}; }
+Condition needs_error_asked_for() { return {has_error_asked_for, ""}; }
 Condition needs_equal_steps() { return {has_equal_steps, "rkc2 chooses its steps by their error"}; }
 Condition needs_solution() {
   return {solves_for_flow, "at V = 1 boundary integrals give the flow without solving an equation", "V"};
 }
 Condition needs_symmetry() { return {can_use_symmetry, "this flow is always solved for as a whole"}; }
 Condition needs_precision() {
-  return {has_precision, "only the quasi-steady flow's tuned scheme and the transient flow have a choice"};
+  return {has_precision,
+          "only the quasi-steady flow's tuned scheme, the unsteady and the transient flow have a choice"};
 }
 
 std::vector<Parameter> in_group(const char* group, std::vector<Parameter> parameters) {
@@ -111,11 +126,12 @@ std::vector<Parameter> model_parameters() {
       {.key = "fluid",
        .value = word(place_of(&Case::fluid), "auto"),
        .description =
-           "Steady lattice Boltzmann flow at every step by multigrid (the paper's method), the standard "
-           "lattice Boltzmann method in time, or Stokes flow without walls by boundary integrals. auto "
-           "takes stokes where Re is at most 0.1 and fidelity names nothing that only a lattice has (dx, "
-           "box, scheme, precision, kdt, preset paper); else quasisteady below Re = 0.1, and transient. "
-           "The result says what was chosen and why."},
+           "Steady lattice Boltzmann flow at every step by multigrid (the paper's method), the same with "
+           "the time derivative of the flow (unsteady), the standard lattice Boltzmann method in time "
+           "(transient), or Stokes flow without walls by boundary integrals. auto takes stokes where Re is "
+           "at most 0.1 and fidelity names nothing that only a lattice has (dx, box, scheme, precision, "
+           "kdt, preset paper); else quasisteady below Re = 0.1, and unsteady. The result says what was "
+           "chosen and why."},
   };
 }
 
@@ -131,26 +147,47 @@ std::vector<Parameter> until_parameters() {
   };
 }
 
+std::vector<Parameter> trust_parameters() {
+  return {
+      {.key = "companion",
+       .value = boolean(&Case::companion),
+       .conditions = {needs_ladder(), needs_fixed_settings()},
+       .description = "Whether the same case is computed at the next coarser resolution, too, for an "
+                      "estimate of the error and a "
+                      "second label. By default true."},
+  };
+}
+
 std::vector<Parameter> resolution_parameters() {
   return {
+      {.key = "error",
+       .value = number({5e-4, 0.5}, &Case::fidelity, &Fidelity::error),
+       .conditions = {needs_ladder(), needs_error_asked_for()},
+       .description = "Instead of a preset: the largest error that the run may have, as the largest change "
+                      "over time of Q = "
+                      "D_xy (cos 2 theta, sin 2 theta). The run climbs the ladder of resolutions until its "
+                      "estimate is below."},
       {.key = "dx",
        .value = number({0.02, 0.5}, &Case::fidelity, &Fidelity::dx),
-       .conditions = {needs_grid()},
+       .conditions = {needs_grid(), needs_fixed_settings()},
        .description = "Lattice spacing (not with stokes, nor box and scheme); box/dx is a multiple of 8."},
       {.key = "box",
        .value = number({4, 100}, &Case::fidelity, &Fidelity::box),
        .conditions = {needs_grid()},
        .description = "Edge of the cubic domain."},
-      {.key = "nodes", .value = nodes(), .description = "Membrane vertices."},
+      {.key = "nodes",
+       .value = nodes(),
+       .conditions = {needs_fixed_settings()},
+       .description = "Membrane vertices."},
       {.key = "stepper",
        .value = word(place_of(&Case::fidelity, &Fidelity::stepper)),
-       .conditions = {needs_own_time_step()},
+       .conditions = {needs_own_time_step(), needs_choice_of_stepper(), needs_fixed_settings()},
        .description =
            "Adams-Bashforth in equal steps, or Runge-Kutta-Chebyshev in steps after their error (the "
-           "default with stokes, and on a lattice where the membrane is stiff)."},
+           "default with stokes, and with quasisteady where the membrane is stiff). unsteady takes ab2."},
       {.key = "kdt",
        .value = number({kMinTime, 1}, &Case::fidelity, &Fidelity::kdt),
-       .conditions = {needs_own_time_step(), needs_equal_steps()},
+       .conditions = {needs_own_time_step(), needs_equal_steps(), needs_fixed_settings()},
        .description = "Time step of ab2; chosen for stability if not given."},
   };
 }
@@ -159,28 +196,28 @@ std::vector<Parameter> flow_solution_parameters() {
   return {
       {.key = "tolerance",
        .value = number({1e-12, 0.1}, &Case::fidelity, &Fidelity::tolerance),
-       .conditions = {needs_own_time_step(), needs_solution()},
+       .conditions = {needs_own_time_step(), needs_solution(), needs_fixed_settings()},
        .description =
            "Relative error of the membrane's velocity. Without effect with transient, and with stokes at "
            "V = 1, where no equation is solved. At least 1e-6 in single precision (with stokes, and with "
            "precision float)."},
       {.key = "scheme",
        .value = word(place_of(&Case::fidelity, &Fidelity::scheme)),
-       .conditions = {needs_own_time_step(), needs_grid()},
+       .conditions = {needs_own_time_step(), needs_grid(), needs_choice_of_scheme(), needs_fixed_settings()},
        .description =
            "Of the quasisteady flow: tuned (fine grids around the capsule only), or the paper's own."},
       {.key = "symmetry",
        .value = word(place_of(&Case::fidelity, &Fidelity::symmetry)),
        .conditions = {needs_symmetry()},
        .description =
-           "Solve for a quarter of the flow where the capsule is symmetric (with stokes, and quasisteady's "
-           "tuned scheme), or for all of it (none). By default auto."},
+           "Solve for a quarter of the flow where the capsule is symmetric (with stokes, unsteady, and "
+           "quasisteady's tuned scheme), or for all of it (none). By default auto."},
       {.key = "precision",
        .value = word(place_of(&Case::fidelity, &Fidelity::precision)),
        .conditions = {needs_precision()},
        .description =
-           "Of the numbers on the grids of quasisteady's tuned scheme and of transient. By default "
-           "float."},
+           "Of the numbers on the grids of quasisteady's tuned scheme, of unsteady and of transient. By "
+           "default float."},
   };
 }
 
@@ -208,6 +245,7 @@ const std::vector<Parameter>& parameters() {
                                                        law_constant_parameters(),
                                                        number_parameters(),
                                                        model_parameters(),
+                                                       trust_parameters(),
                                                        in_group("until", until_parameters()),
                                                        in_group("fidelity", resolution_parameters()),
                                                        in_group("fidelity", flow_solution_parameters()),

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "solver/case/grid_size.hpp"
+#include "solver/case/ladder.hpp"
+#include "solver/case/time_step_defaults.hpp"
 #include "solver/case/units.hpp"
 
 namespace capstan {
@@ -43,10 +45,9 @@ double stokes_run(const Case& c) {
   return c.until.kt / kStep * stages * products * images * product;
 }
 
-double quasisteady_run(const Case& c) {
-  constexpr double kChosenStep = 0.02;  // average k dt per flow solution, where the stepper chooses the step
-  const double steps = c.until.kt / (c.fidelity.kdt > 0 ? c.fidelity.kdt : kChosenStep);
-  return steps * (c.has_composite_grid() ? composite_step(c) : papers_step(c));
+double multigrid_run(const Case& c) {
+  const double steps_a_unit = c.fidelity.kdt > 0 ? 1 / c.fidelity.kdt : kRkc2Cost * rkc2_flows(c);
+  return c.until.kt * steps_a_unit * (c.has_composite_grid() ? composite_step(c) : papers_step(c));
 }
 
 double cost_of(const Case& c) {
@@ -56,9 +57,10 @@ double cost_of(const Case& c) {
     case Fluid::transient:
       return transient_run(c);
     case Fluid::quasisteady:
+    case Fluid::unsteady:
       break;
   }
-  return quasisteady_run(c);
+  return multigrid_run(c);
 }
 
 }  // namespace
@@ -66,6 +68,12 @@ double cost_of(const Case& c) {
 double run_cost(const Case& c) {
   constexpr double kMin = 1e-4, kMax = 1e10;  // so that sums over a study do not lose small costs to rounding
   return std::clamp(cost_of(c), kMin, kMax);
+}
+
+double case_cost(const Case& c) {
+  double seconds = 0;
+  for (const Case& run : usual_runs(c)) seconds += run_cost(run);
+  return seconds;
 }
 
 }  // namespace capstan

@@ -9,4 +9,8 @@ namespace capstan {
 /// its motion is certain, takes less. Clamped to 1e-4 ... 1e10.
 double run_cost(const Case& c);
 
+/// The same for all runs that a case usually takes: its own and those at coarser rungs of the ladder
+/// (ladder.hpp).
+double case_cost(const Case& c);
+
 }  // namespace capstan

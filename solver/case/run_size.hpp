@@ -1,5 +1,5 @@
 #pragma once
-// Estimated disk space of a finished run, from its case.
+// Estimated disk space and memory of a run, from its case.
 #include "solver/case/case.hpp"
 
 namespace capstan {
@@ -10,5 +10,8 @@ double run_size(const Case& c);
 
 /// Bytes of its shapes.
 double shapes_size(const Case& c);
+
+/// Bytes of the process at its peak, to some tens of percent.
+double run_memory(const Case& c);
 
 }  // namespace capstan

@@ -1,7 +1,8 @@
 #pragma once
-// The values of an enumeration and the words for them in case files: each pair is defined once, in the table
-// kWords next to the enumeration.
+// The values of an enumeration and the words for them in files, in the database and in answers: each pair is
+// defined once, in the table kWords next to the enumeration.
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -13,7 +14,8 @@ struct Word {
   std::string_view word;
 };
 
-/// Specialised by each enumeration that has words: a std::array of Word<Enum>, the default first.
+/// Specialised by each enumeration that has words: a std::array of Word<Enum>; of a parameter, the default
+/// first.
 template <class Enum>
 inline constexpr bool kWords = false;
 
@@ -22,7 +24,7 @@ concept HasWords = requires {
   kWords<Enum>.size();
 };
 
-/// The word a case file uses for a value, e.g. "biconcave".
+/// The word for a value, e.g. "biconcave".
 template <HasWords Enum>
 constexpr std::string_view to_string(Enum value) {
   for (const auto& row : kWords<Enum>)
@@ -36,6 +38,14 @@ constexpr std::optional<Enum> parse_word(std::string_view word) {
   for (const auto& row : kWords<Enum>)
     if (row.word == word) return row.value;
   return std::nullopt;
+}
+
+/// All words, in the order of the table.
+template <HasWords Enum>
+constexpr auto words_of() {
+  std::array<std::string_view, kWords<Enum>.size()> words;
+  for (std::size_t row = 0; row < words.size(); ++row) words[row] = kWords<Enum>[row].word;
+  return words;
 }
 
 }  // namespace capstan

@@ -1,6 +1,7 @@
 #pragma once
 // The immersed boundary method: forces from the membrane to the grid, velocities from the grid to the
 // membrane (paper eqs. 33, 34, 36). The two sums have the same weights and are adjoint to each other.
+#include <optional>
 #include <vector>
 
 #include "solver/coupling/delta_kernel.hpp"
@@ -14,6 +15,10 @@ struct GridGeometry {
   Vec3 origin;  ///< centre of the cell (0, 0, 0)
   double dx;    ///< spacing
 };
+
+/// The cells that kernels with a support of four cells touch around these positions (3 x #V). Nothing if a
+/// position is not finite or more than 1e6 cells from the origin, where an index would overflow.
+std::optional<IndexBox> cells_around(const Points& positions, const GridGeometry& grid);
 
 class ImmersedBoundary {
  public:

@@ -11,34 +11,56 @@
 
 namespace capstan {
 
-double smoothed_heaviside(double distance_in_cells) {
-  const double s = std::clamp(distance_in_cells / 2, -1.0, 1.0);
+double smoothed_heaviside(double distance_in_cells, double half_width) {
+  const double s = std::clamp(distance_in_cells / half_width, -1.0, 1.0);
   return 0.5 * (1 + s + std::sin(std::numbers::pi * s) / std::numbers::pi);
 }
 
-ViscosityField::ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits)
-    : grid_(grid), orbits_(std::move(orbits)), patch_(patch_around(orbits_.representatives(), 1, mesh)) {}
+ViscosityField::ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits,
+                               double half_width)
+    : grid_(grid),
+      half_width_(half_width),
+      orbits_(std::move(orbits)),
+      patch_(patch_around(orbits_.representatives(), 1, mesh)) {}
 
+// Calls visit(i, y, z, H, vertex) for each cell of the box: i counts from the start of its row, and vertex is
+// the nearest one, or kNone far from the membrane.
+//
 // Only cells in a band around the membrane have a nearest vertex and a distance. A cell beyond the band is
 // inside or outside like the last band cell before it in its row; cells before the first band cell are
 // outside.
-void ViscosityField::update(const Points& positions, double ambient, double inner, ScalarField& viscosity) {
+template <class Visit>
+void ViscosityField::for_each_cell(const Points& positions, const IndexBox& box, Visit visit) {
   measure_surface(positions);
-  nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach_, viscosity.box());
-  for_each_row_in_order(viscosity.box(), [&](int y, int z) {
+  nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach_, box);
+  for_each_row_in_order(box, [&](int y, int z) {
     double outside = 1;
     const int* nearest = nearest_.row(y, z);
-    for (int i = 0; i < viscosity.box().size(0); ++i) {
+    for (int i = 0; i < box.size(0); ++i) {
       const int vertex = nearest[i];
       double H = outside;
       if (vertex != NearestVertices::kNone) {
-        const Vec3 centre = grid_.origin + grid_.dx * Vec3(viscosity.box().lo[0] + i, y, z);
+        const Vec3 centre = grid_.origin + grid_.dx * Vec3(box.lo[0] + i, y, z);
         const double distance = signed_distance(centre - positions.col(vertex), vertex);
-        H = smoothed_heaviside(distance / grid_.dx);
+        H = smoothed_heaviside(distance / grid_.dx, half_width_);
         outside = distance > 0 ? 1 : 0;
       }
-      viscosity.row(0, y, z)[i] = inner + (ambient - inner) * H;
+      visit(i, y, z, H, vertex);
     }
+  });
+}
+
+void ViscosityField::update(const Points& positions, double ambient, double inner, ScalarField& viscosity) {
+  for_each_cell(positions, viscosity.box(), [&](int i, int y, int z, double H, int) {
+    viscosity.row(0, y, z)[i] = inner + (ambient - inner) * H;
+  });
+}
+
+void ViscosityField::update(const Points& positions, InterfaceField& interface) {
+  for_each_cell(positions, interface.box(), [&](int i, int y, int z, double H, int vertex) {
+    interface.row(0, y, z)[i] = H;
+    const Vec3 normal = vertex == NearestVertices::kNone ? Vec3(Vec3::Zero()) : Vec3(normals_.col(vertex));
+    for (int axis = 0; axis < 3; ++axis) interface.row(1 + axis, y, z)[i] = normal[axis];
   });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // The viscosity around the membrane (paper eqs. 40, 41): the inner one inside, the ambient one outside,
-// smoothed over two cells on either side.
+// smoothed over a few cells.
 #include "solver/coupling/immersed_boundary.hpp"
 #include "solver/coupling/nearest_vertices.hpp"
 #include "solver/grid/cell_field.hpp"
@@ -9,25 +9,39 @@
 
 namespace capstan {
 
-/// Smoothed Heaviside function of the signed distance in cells (eq. 41): 0 below -2, 1 above 2.
-double smoothed_heaviside(double distance_in_cells);
+/// Cells on either side of the membrane over which the paper smooths the jump.
+inline constexpr double kPaperHalfWidth = 2;
+
+/// Smoothed Heaviside function of the signed distance in cells (eq. 41): 0 below -half_width, 1 above.
+double smoothed_heaviside(double distance_in_cells, double half_width);
+
+/// Where a cell lies relative to the membrane: first the part of it that counts as ambient fluid, 0 to 1,
+/// then the normal of the membrane near it, or 0 far from the membrane.
+using InterfaceField = CellField<4>;
 
 class ViscosityField {
  public:
-  /// \param orbits  the symmetry of the surface, which all positions passed to update() must have
-  ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits);
+  /// \param orbits      the symmetry of the surface, which all positions passed to update() must have
+  /// \param half_width  of the smoothed jump, in cells, at most 2
+  ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits, double half_width);
 
   /// viscosity = inner + (ambient - inner) H(d / dx) in the cells of the field's box, which must contain the
   /// capsule; d is the signed distance to the membrane, positive outside.
   /// \param positions  3 x #V
   void update(const Points& positions, double ambient, double inner, ScalarField& viscosity);
 
+  /// H(d / dx) and the normals, in the cells of the field's box, which must contain the capsule.
+  void update(const Points& positions, InterfaceField& interface);
+
  private:
+  template <class Visit>
+  void for_each_cell(const Points& positions, const IndexBox& box, Visit visit);
   void measure_surface(const Points& positions);
   double reach(const Points& of_patch) const;
   double signed_distance(const Vec3& offset, int vertex) const;
 
   GridGeometry grid_;
+  double half_width_;
   Orbits orbits_;
   SurfacePatch patch_;  ///< the representatives and their neighbours
   // Scratch of update():

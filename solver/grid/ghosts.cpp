@@ -8,8 +8,6 @@
 namespace capstan {
 namespace {
 
-constexpr ImageComponent kUnchanged[] = {{0, 1}};
-
 /// Fills the ghosts at both ends of every row, ghost rows included, if x is periodic.
 template <class T>
 void fill_row_ends(RowField<T>& field, const std::array<SideRule, 2>& rules) {
@@ -122,8 +120,6 @@ void fill_side(RowField<T>& field, int axis, int side, SideRule rule, const Imag
 }
 
 }  // namespace
-
-const Images kScalarImages = {kUnchanged, kUnchanged, kUnchanged};
 
 // The axes are filled one after the other. The rows copied along y and z include the ghosts of the axes
 // before, so that the ghosts at edges and corners are correct, too.

@@ -35,9 +35,6 @@ struct Images {
   std::span<const ImageComponent> wall, mirror, half_turn;
 };
 
-/// Images of a field of one component that keeps its value, e.g. a viscosity.
-extern const Images kScalarImages;
-
 /// Fills the ghosts of all sides except the interpolated ones, edges and corners included.
 template <class T>
 void fill_ghosts(RowField<T>& field, const SideRules& rules, const Images& images);

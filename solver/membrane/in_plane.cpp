@@ -79,6 +79,17 @@ Principal InPlaneElasticity::stretches(const Points& positions) const {
   return squares.sqrt();
 }
 
+Scalars InPlaneElasticity::vertex_stretches(const Points& positions) const {
+  const Principal lambda = stretches(positions);
+  Scalars sums = Scalars::Zero(positions.cols()), areas = sums;
+  for (size_t face = 0; face < elements_.size(); ++face)
+    for (const int vertex : elements_[face].vertices) {
+      sums[vertex] += elements_[face].area * lambda(face, 0);
+      areas[vertex] += elements_[face].area;
+    }
+  return sums.cwiseQuotient(areas);
+}
+
 // dE = E_s A0 (F S) : dF, where S is the second Piola-Kirchhoff tension with the principal values
 // dW/dlambda_i / lambda_i. This is eq. 29, written without the displacements in a common plane that the paper
 // uses.

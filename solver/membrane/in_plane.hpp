@@ -24,6 +24,9 @@ class InPlaneElasticity {
   /// #F x 2: principal stretches of each face, the larger first.
   Principal stretches(const Points& positions) const;
 
+  /// #V: the larger principal stretch at each vertex, the average over its faces by undeformed area.
+  Scalars vertex_stretches(const Points& positions) const;
+
  private:
   /// A triangle. In a frame of the undeformed plane its corners are (0, 0), (length, 0) and (foot, height).
   struct Element {

@@ -35,23 +35,26 @@ double sharpest_corner(const Vec3& a, const Vec3& b, const Vec3& c) {
 SurfaceQuality surface_quality(const TriangleMesh& mesh, const Points& positions) {
   const Points normals = unit_normals(mesh, positions);
   const double folded_cosine = std::cos(kFoldedEdge * kDegree);
-  double smallest_cosine = 1, sharpest = 0.5;
+  double smallest_cosine = 1, sharpest = 0.5, longest = 0;
   long folded = 0;
   for (const Edge& edge : mesh.edges) {
     const double cosine = normals.col(edge.faces[0]).dot(normals.col(edge.faces[1]));
     smallest_cosine = std::min(smallest_cosine, cosine);
     folded += cosine < folded_cosine;
+    longest = std::max(longest, (positions.col(edge.vertices[1]) - positions.col(edge.vertices[0])).norm());
   }
   for (const auto& face : mesh.faces.colwise())
     sharpest = std::max(
         sharpest, sharpest_corner(positions.col(face[0]), positions.col(face[1]), positions.col(face[2])));
   return {degrees_of_cosine(smallest_cosine), double(folded) / double(mesh.edges.size()),
-          degrees_of_cosine(sharpest)};
+          degrees_of_cosine(sharpest), longest};
 }
 
 SurfaceQuality worst_of(const SurfaceQuality& a, const SurfaceQuality& b) {
   return {std::max(a.largest_dihedral, b.largest_dihedral), std::max(a.folded_edges, b.folded_edges),
-          std::min(a.smallest_angle, b.smallest_angle)};
+          std::min(a.smallest_angle, b.smallest_angle), std::max(a.longest_edge, b.longest_edge)};
 }
+
+double smallest_wavelength(const SurfaceQuality& quality) { return 2 * quality.longest_edge; }
 
 }  // namespace capstan

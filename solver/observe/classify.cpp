@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "solver/observe/explain.hpp"
 #include "solver/observe/motion_features.hpp"
@@ -21,30 +22,40 @@ Motion motion_of(const MotionFeatures& features) {
 
 double clamped_to_unit(double number) { return std::clamp(number, 0.0, 1.0); }
 
-/// Distance of r to the nearer one of kOfMembrane and kOfShape, in units of 1 - kOfShape, at most 1.
-double distance_of_r(double r) {
-  return clamped_to_unit(std::min(std::abs(r - kOfMembrane), std::abs(r - kOfShape)) / (1 - kOfShape));
-}
+/// Distance of r to the nearer one of kOfMembrane and kOfShape.
+double distance_of_r(double r) { return std::min(std::abs(r - kOfMembrane), std::abs(r - kOfShape)); }
 
 /// 0 unless half-turns of both kinds occurred. Then the distance of the extreme shares to their thresholds,
-/// the smaller of the two, in the same units.
+/// the smaller of the two.
 double distance_of_kinds(const Shares& shares) {
-  return clamped_to_unit(std::min(shares.largest - kOfShape, kOfMembrane - shares.smallest) / (1 - kOfShape));
+  return std::max(0., std::min(shares.largest - kOfShape, kOfMembrane - shares.smallest));
+}
+
+/// The smallest error of Q that can change the share of the shape in a number of half-turns by `change`. An
+/// error e turns Q by at most asin(e / |Q|) at each end of them, and theta by half of that.
+double error_that_changes(double change, double half_turns, double D_min) {
+  using std::numbers::pi;
+  return D_min * std::sin(std::min(pi / 2, pi * half_turns * change));
 }
 
 double margin_of_transition(const MotionFeatures& features) {
-  const double mixed = features.turned_both() ? distance_of_r(features.r) : 0;
-  const double near_round = clamped_to_unit(1 - features.clearance());
+  const double mixed = features.turned_both() ? error_that_changes(distance_of_r(features.r),
+                                                                   turns(features.judged), features.D_min)
+                                              : 0;
+  const double of_both_kinds = error_that_changes(distance_of_kinds(features.shares), 1, features.D_min);
+  const double near_round = std::max(0., features.required - features.D_min);
   const double seen = double(features.half_turns.size()) / kSettled;
   const double missing = 1 - double(features.of_last_kind) / kSettled;
-  return std::min({std::max({mixed, distance_of_kinds(features.shares), near_round}), seen, missing});
+  return std::max({mixed, of_both_kinds, near_round}) * clamped_to_unit(std::min(seen, missing));
 }
 
 double margin_of(Motion motion, const MotionFeatures& features) {
   if (motion == Motion::undecided) return 0;
   if (motion == Motion::transition) return margin_of_transition(features);
-  const double threshold = features.steady || features.settled ? 0 : 1;
-  return std::min(distance_of_r(features.r), clamped_to_unit(features.clearance() - threshold));
+  if (features.steady) return features.D_min;
+  const double clear_of_round = features.D_min - (features.settled ? 0 : features.required);
+  return std::min(clear_of_round,
+                  error_that_changes(distance_of_r(features.r), turns(features.judged), features.D_min));
 }
 
 /// Whether the smallest |Q| of a half-turn stays above `required` in the next half-turns, by linear
@@ -63,7 +74,7 @@ bool keeps_clear(const std::vector<Samples>& half_turns, double required) {
 /// half-turns counted back from the end of the run, and from half a half-turn before the end, because Q may
 /// be closest to 0 at the boundary between two half-turns.
 bool will_keep_clear(const MotionFeatures& features) {
-  constexpr double kFar = 4, kClearlyOneKind = 0.9;
+  constexpr double kFar = 4, kClearlyOneKind = 0.225;
   if (features.half_turns.size() < 2)
     return features.clearance() >= kFar && distance_of_r(features.r) >= kClearlyOneKind;
   const size_t since = last_turns(features.run, 0.5).value_or(features.run).size() - 1;
@@ -73,7 +84,7 @@ bool will_keep_clear(const MotionFeatures& features) {
 }
 
 bool is_certain(Motion motion, const MotionFeatures& features) {
-  constexpr double kClearOfR = 0.5;
+  constexpr double kClearOfR = 0.125;
   if (features.steady) return true;
   if (motion != Motion::tumbling && motion != Motion::tank_treading) return false;
   return distance_of_r(features.r) >= kClearOfR && features.clearance() >= 1 && will_keep_clear(features);

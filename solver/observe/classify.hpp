@@ -37,12 +37,12 @@ struct Evidence {
   double D_min = 0;        ///< smallest distance to 0 of the segments between successive Q
   double theta_range = 0;  ///< largest minus smallest theta over the last half-turn, radians
 
-  /// Distance of the evidence to that for another label: 0 (doubtful) to 1 (clear). Distances of r are in
-  /// units of 0.25, distances of D_min in units of the one that rule 4 requires. For tumbling and
-  /// tank-treading: the smaller distance of r and D_min to their thresholds; once the motion has settled,
-  /// the threshold of D_min is 0. For a transition: the largest distance among the reasons of rule 4, but at
-  /// most n/3 and at most m/3, where n is the number of half-turns and m the number of further half-turns of
-  /// one kind that rule 2 requires. For undecided: 0.
+  /// The error of Q that the label tolerates, in the units of D_xy: a smaller one cannot change the label.
+  /// For tumbling and tank-treading the smaller one of two: the distance of D_min to the one that rule 4
+  /// requires (to 0 once the motion has settled), and the error that would move r to its threshold; D_min for
+  /// a steady shape. For a transition the largest among the reasons of rule 4, times n/3 and m/3 at most,
+  /// where n is the number of half-turns and m the number of further half-turns of one kind that rule 2
+  /// requires. For undecided 0.
   double margin = 0;
 };
 

@@ -61,12 +61,12 @@ Verdict limited_by_surface(const Verdict& verdict, const SurfaceWatch& surface) 
 
 void SurfaceWatch::save(StateArchive& archive) const {
   archive.put("surface", {worst_.largest_dihedral, worst_.folded_edges, worst_.smallest_angle, next_kt_,
-                          folded_from_.value_or(kNever), lost_from_.value_or(kNever)});
+                          folded_from_.value_or(kNever), lost_from_.value_or(kNever), worst_.longest_edge});
 }
 
 void SurfaceWatch::load(const StateArchive& archive) {
   const auto saved = archive.get("surface");
-  worst_ = {saved[0], saved[1], saved[2]};
+  worst_ = {saved[0], saved[1], saved[2], saved.size() > 6 ? saved[6] : 0};
   next_kt_ = saved[3];
   folded_from_ = time_from(saved[4]);
   lost_from_ = time_from(saved[5]);

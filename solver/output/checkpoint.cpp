@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "solver/case/content_id.hpp"
-#include "solver/output/hdf5_file.hpp"
 #include "solver/run_directory/checkpoint_files.hpp"
 #include "solver/run_directory/durable_file.hpp"
+#include "solver/run_directory/hdf5_file.hpp"
 
 namespace capstan {
 namespace {

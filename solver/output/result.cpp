@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "solver/case/content_id.hpp"
+#include "solver/case/left_out.hpp"
 #include "solver/output/run_warnings.hpp"
 #include "solver/run_directory/history_line.hpp"
-#include "solver/simulation/plan.hpp"
 
 namespace capstan {
 namespace {
@@ -28,11 +28,10 @@ nlohmann::ordered_json to_json(const Evidence& e) {
 nlohmann::ordered_json to_json(const SurfaceWatch& surface) {
   const SurfaceQuality& worst = surface.worst();
   const auto or_null = [](std::optional<double> kt) { return kt ? nlohmann::ordered_json(*kt) : nullptr; };
-  return {{"largest_dihedral", worst.largest_dihedral},
-          {"folded_edges", worst.folded_edges},
-          {"smallest_angle", worst.smallest_angle},
-          {"folded_from", or_null(surface.folded_from())},
-          {"lost_from", or_null(surface.lost_from())}};
+  return {
+      {"largest_dihedral", worst.largest_dihedral},    {"folded_edges", worst.folded_edges},
+      {"smallest_angle", worst.smallest_angle},        {"smallest_wavelength", smallest_wavelength(worst)},
+      {"folded_from", or_null(surface.folded_from())}, {"lost_from", or_null(surface.lost_from())}};
 }
 
 /// A run that failed before its end has no motion.

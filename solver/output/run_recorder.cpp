@@ -34,6 +34,7 @@ void RunRecorder::resume(Simulation& simulation, const std::function<void(const 
     log("resumed at step " + std::to_string(simulation.statistics().steps));
   }
   faces_ = simulation.faces();
+  reference_ = simulation.reference();
   start_history(simulation.history());
 }
 
@@ -54,7 +55,9 @@ void RunRecorder::record(const Record& now) {
 
 void RunRecorder::shape(double kt, int frame, const Points& positions, const Points& velocities,
                         const Points& forces) {
-  if (!shapes_) shapes_.emplace(directory_.path(), faces_);
+  if (!shapes_)
+    shapes_.emplace(directory_.path(), faces_,
+                    InPlaneElasticity(faces_, reference_, *case_.law, case_.law_constants, 1 / case_.Ca));
   shapes_->write(kt, frame, positions, velocities, forces);
   const double now = seconds_here();
   if (!indices_.is_due(now, 0)) return;
@@ -76,11 +79,9 @@ bool RunRecorder::is_checkpoint_due(long steps) {
   return checkpoints_.is_due(asked_, std::clamp(seconds() / 10, kMin, kMax));
 }
 
-void RunRecorder::finish(const Simulation& simulation, const Outcome& outcome) {
+nlohmann::ordered_json RunRecorder::finish(const Simulation& simulation, const Outcome& outcome) {
   if (shapes_) shapes_->write_index();
-  if (outcome.stop == Stop::interrupted) return;
-  write_durably(directory_.result_file(),
-                result_json(case_, choices_, simulation, outcome, seconds()).dump(2) + "\n");
+  return result_json(case_, choices_, simulation, outcome, seconds());
 }
 
 }  // namespace capstan

@@ -42,9 +42,8 @@ class RunRecorder : public RunOutput {
   bool is_checkpoint_due(long steps) override;
   bool interrupted() const override { return interrupted_(); }
 
-  /// Completes the index of the shapes. Writes result.json, which marks a finished run, unless the run was
-  /// interrupted.
-  void finish(const Simulation& simulation, const Outcome& outcome);
+  /// Completes the index of the shapes. Returns the content of result.json.
+  nlohmann::ordered_json finish(const Simulation& simulation, const Outcome& outcome);
 
  private:
   void start_history(const History& history);
@@ -57,6 +56,7 @@ class RunRecorder : public RunOutput {
   std::function<bool()> interrupted_;
   std::ofstream history_;
   Faces faces_;
+  Points reference_;  ///< the shape without tension
   std::optional<ShapeWriter> shapes_;
   SecondsClock clock_;
   double started_;

@@ -1,8 +1,8 @@
 #include "solver/output/shape_writer.hpp"
 
-#include "solver/output/hdf5_file.hpp"
 #include "solver/output/xdmf_index.hpp"
 #include "solver/run_directory/durable_file.hpp"
+#include "solver/run_directory/hdf5_file.hpp"
 
 namespace capstan {
 namespace {
@@ -17,8 +17,8 @@ void write_rows(Hdf5Writer& file, const std::string& name, const Matrix& matrix)
 
 }  // namespace
 
-ShapeWriter::ShapeWriter(fs::path directory, const Faces& faces)
-    : directory_(std::move(directory)), face_count_(faces.cols()) {
+ShapeWriter::ShapeWriter(fs::path directory, const Faces& faces, InPlaneElasticity membrane)
+    : directory_(std::move(directory)), membrane_(std::move(membrane)), face_count_(faces.cols()) {
   fs::create_directories(directory_.shapes_directory());
   PendingFile pending(directory_.mesh_file());
   Hdf5Writer mesh(pending.temporary());
@@ -35,6 +35,8 @@ void ShapeWriter::write(double kt, int frame, const Points& positions, const Poi
   write_rows(file, "positions", positions);
   write_rows(file, "velocities", velocities);
   write_rows(file, "forces", forces);
+  const Scalars stretches = membrane_.vertex_stretches(positions);
+  file.write("stretches", std::span(stretches.data(), static_cast<size_t>(stretches.size())));
   file.close();
   pending.publish();
   if (times_.empty()) take_up_frames_before(frame);

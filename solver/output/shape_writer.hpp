@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <map>
 
-#include "solver/mesh/triangle_mesh.hpp"
+#include "solver/membrane/in_plane.hpp"
 #include "solver/run_directory/run_directory.hpp"
 
 namespace capstan {
@@ -15,7 +15,8 @@ namespace capstan {
 class ShapeWriter {
  public:
   /// Writes DIRECTORY/shapes/mesh.h5.
-  ShapeWriter(std::filesystem::path directory, const Faces& faces);
+  /// \param membrane  with these faces; gives the stretches
+  ShapeWriter(std::filesystem::path directory, const Faces& faces, InPlaneElasticity membrane);
 
   /// Writes DIRECTORY/shapes/NNNN.h5. Throws a std::runtime_error naming operation and file.
   /// \param kt          shear time
@@ -33,6 +34,7 @@ class ShapeWriter {
   void take_up_frames_before(int frame);
 
   RunDirectory directory_;
+  InPlaneElasticity membrane_;
   long face_count_, vertex_count_ = 0;
   std::map<int, double> times_;  ///< kt by frame
 };

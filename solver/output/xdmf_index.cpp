@@ -22,19 +22,18 @@ std::string element(const std::string& name, const std::string& attributes, cons
 
 enum class Number { integer, real };
 
-/// An array of `rows` x 3 numbers; `where` is FILE:/ARRAY.
-std::string data_item(long rows, Number number, const std::string& where) {
+/// \param shape  "642 3"   \param where  FILE:/ARRAY
+std::string data_item(const std::string& shape, Number number, const std::string& where) {
   const std::string type = number == Number::integer
                                ? attribute("NumberType", "Int") + attribute("Precision", "4")
                                : attribute("NumberType", "Float") + attribute("Precision", "8");
-  return element("DataItem",
-                 attribute("Dimensions", std::to_string(rows) + " 3") + type + attribute("Format", "HDF"),
-                 where);
+  return element("DataItem", attribute("Dimensions", shape) + type + attribute("Format", "HDF"), where);
 }
 
-std::string vertex_field(const std::string& name, const std::string& data) {
+/// \param type  "Vector" or "Scalar"
+std::string vertex_field(const std::string& name, const std::string& type, const std::string& data) {
   return element("Attribute",
-                 attribute("Name", name) + attribute("AttributeType", "Vector") + attribute("Center", "Node"),
+                 attribute("Name", name) + attribute("AttributeType", type) + attribute("Center", "Node"),
                  data);
 }
 
@@ -42,18 +41,21 @@ std::string topology(const XdmfMesh& mesh) {
   return element(
       "Topology",
       attribute("TopologyType", "Triangle") + attribute("NumberOfElements", std::to_string(mesh.face_count)),
-      data_item(mesh.face_count, Number::integer, mesh.file + ":/faces"));
+      data_item(std::to_string(mesh.face_count) + " 3", Number::integer, mesh.file + ":/faces"));
 }
 
 std::string frame_grid(const XdmfMesh& mesh, const XdmfFrame& frame) {
-  const auto per_vertex = [&](const std::string& array) {
-    return data_item(mesh.vertex_count, Number::real, frame.file + ":/" + array);
+  const std::string vertices = std::to_string(mesh.vertex_count);
+  const auto vectors = [&](const std::string& array) {
+    return data_item(vertices + " 3", Number::real, frame.file + ":/" + array);
   };
+  const std::string stretches = data_item(vertices, Number::real, frame.file + ":/stretches");
   return element("Grid", attribute("Name", "membrane") + attribute("GridType", "Uniform"),
                  element("Time", attribute("Value", shown(frame.kt)), "") + topology(mesh) +
-                     element("Geometry", attribute("GeometryType", "XYZ"), per_vertex("positions")) +
-                     vertex_field("velocity", per_vertex("velocities")) +
-                     vertex_field("force", per_vertex("forces")));
+                     element("Geometry", attribute("GeometryType", "XYZ"), vectors("positions")) +
+                     vertex_field("velocity", "Vector", vectors("velocities")) +
+                     vertex_field("force", "Vector", vectors("forces")) +
+                     vertex_field("stretch", "Scalar", stretches));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "solver/run_directory/attempt_token.hpp"
+
 namespace capstan {
 namespace {
 
@@ -63,9 +65,7 @@ fs::path directory_of(const fs::path& path) {
 
 }  // namespace
 
-PendingFile::PendingFile(fs::path target) : target_(std::move(target)), temporary_(target_) {
-  temporary_ += kPartialExtension;
-}
+PendingFile::PendingFile(fs::path target) : target_(std::move(target)), temporary_(temporary_name(target_)) {}
 
 PendingFile::~PendingFile() {
   std::error_code ignored;  // there is no such file after publish()
@@ -73,6 +73,7 @@ PendingFile::~PendingFile() {
 }
 
 void PendingFile::replace() {
+  expect_own_attempt();
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename to", target_);
 }
 

@@ -13,8 +13,8 @@ namespace capstan {
 inline constexpr const char* kPartialExtension = ".partial";
 
 /// A file that is being written. The caller fills and closes `temporary()`, then calls `publish()`; without
-/// that the target keeps its old content. The name of the temporary file is always target + ".partial", so
-/// that the next writer overwrites the file that a killed writer left. A target has one writer at a time.
+/// that the target keeps its old content. A target has one writer at a time: a process of an earlier attempt
+/// has temporary files of its own, and cannot replace the target (attempt_token.hpp).
 class PendingFile {
  public:
   explicit PendingFile(std::filesystem::path target);
@@ -24,7 +24,8 @@ class PendingFile {
 
   const std::filesystem::path& temporary() const { return temporary_; }
 
-  /// Replaces the target durably. Throws std::filesystem::filesystem_error naming the operation and the file.
+  /// Replaces the target durably. Throws std::filesystem::filesystem_error naming the operation and the file,
+  /// or AttemptWithdrawn.
   void publish();
 
   /// Replaces the target without waiting for the disk: safe if the process is killed, but not in a power

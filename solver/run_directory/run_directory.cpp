@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "solver/run_directory/durable_file.hpp"
 
@@ -24,6 +25,10 @@ std::filesystem::path RunDirectory::frame_file(int frame) const {
   return shapes_directory() / (std::string(zeros, '0') + number + ".h5");
 }
 
+RunDirectory RunDirectory::rung(int nodes) const {
+  return RunDirectory(path_ / "rungs" / std::to_string(nodes));
+}
+
 bool RunDirectory::is_shape(const std::filesystem::path& file) const {
   return file.parent_path() == shapes_directory() || file.filename().string().starts_with("shapes");
 }
@@ -38,6 +43,17 @@ void RunDirectory::prepare(const std::string& case_document) const {
   std::filesystem::create_directories(path_);
   std::ifstream present(case_file(), std::ios::binary);
   if (read_from(present) != case_document + "\n") write_atomically(case_file(), case_document + "\n");
+}
+
+void RunDirectory::begin_attempt(const std::string& token) const {
+  write_atomically(attempt_file(), token + "\n");
+}
+
+void RunDirectory::withdraw_attempt() const { std::filesystem::remove(attempt_file()); }
+
+bool RunDirectory::is_attempt(const std::string& token) const {
+  const std::string present = read_file(attempt_file()).value_or("");
+  return present == token + "\n" || present.starts_with(token + ".");
 }
 
 std::vector<std::filesystem::path> RunDirectory::partial_files() const {

@@ -6,7 +6,7 @@
 // the names from here.
 #include <array>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +22,7 @@ class RunDirectory {
   std::filesystem::path history_file() const { return path_ / "history.jsonl"; }
   std::filesystem::path result_file() const { return path_ / "result.json"; }
   std::filesystem::path log_file() const { return path_ / "log"; }
+  std::filesystem::path attempt_file() const { return path_ / "attempt"; }
   std::filesystem::path lock_file() const { return path_ / "lock"; }
   /// The two files that a run writes its checkpoints to in turn; the first checkpoint goes to the first one.
   std::array<std::filesystem::path, 2> checkpoint_paths() const;
@@ -31,6 +32,9 @@ class RunDirectory {
   /// \param frame  counts from 0; shapes/0007.h5 for 7
   std::filesystem::path frame_file(int frame) const;
 
+  /// The run of the same case at another resolution: rungs/162 for 162 nodes.
+  RunDirectory rung(int nodes) const;
+
   /// True for the index of the shapes and for all that lies in shapes/, also for files still being written.
   bool is_shape(const std::filesystem::path& file) const;
   /// True for a checkpoint, also for one that is still being written.
@@ -38,6 +42,15 @@ class RunDirectory {
 
   /// Makes the directory, and writes the case file unless it holds that document already.
   void prepare(const std::string& case_document) const;
+
+  /// Gives the directory to the attempt with this token. Processes of earlier attempts publish nothing any
+  /// more (attempt_token.hpp).
+  void begin_attempt(const std::string& token) const;
+  /// From now on no process publishes anything.
+  void withdraw_attempt() const;
+  /// Whether the directory belongs to the attempt with this token, or to a repetition of it whose token is
+  /// TOKEN.MORE.
+  bool is_attempt(const std::string& token) const;
 
   /// Removes the unfinished files (*.partial) of a killed process. No process may be working in the
   /// directory.

@@ -4,28 +4,6 @@
 
 namespace capstan {
 
-std::string_view to_string(RunEnding ending) {
-  switch (ending) {
-    case RunEnding::done:
-      return "done";
-    case RunEnding::failed:
-      return "failed";
-    case RunEnding::diverged:
-      return "diverged";
-    case RunEnding::interrupted:
-      return "interrupted";
-    case RunEnding::crashed:
-      break;
-  }
-  return "crashed";
-}
-
-std::optional<RunEnding> parse_run_ending(std::string_view word) {
-  for (const RunEnding ending : kRunEndings)
-    if (to_string(ending) == word) return ending;
-  return std::nullopt;
-}
-
 int exit_code_of(RunEnding ending) {
   switch (ending) {
     case RunEnding::done:
@@ -43,7 +21,7 @@ int exit_code_of(RunEnding ending) {
 }
 
 RunEnding run_ending_of(int exit_code) {
-  for (const RunEnding ending : kRunEndings)
+  for (const auto& [ending, word] : kWords<RunEnding>)
     if (exit_code_of(ending) == exit_code) return ending;
   return RunEnding::crashed;
 }

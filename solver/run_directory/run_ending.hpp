@@ -1,9 +1,7 @@
 #pragma once
 // The five ways in which a run can end, with the same words in the worker's exit status, the daemon, the
 // database and the API.
-#include <array>
-#include <optional>
-#include <string_view>
+#include "solver/case/words.hpp"
 
 namespace capstan {
 
@@ -14,14 +12,14 @@ enum class RunEnding {
   interrupted,  ///< stopped before its end; the next attempt resumes from the checkpoint
   crashed,      ///< the process ended abnormally
 };
-
-inline constexpr std::array kRunEndings = {RunEnding::done, RunEnding::failed, RunEnding::diverged,
-                                           RunEnding::interrupted, RunEnding::crashed};
-
-/// The word of the database and the API, for example "done".
-std::string_view to_string(RunEnding ending);
-/// Nothing if `word` is none of the five words.
-std::optional<RunEnding> parse_run_ending(std::string_view word);
+/// The words of the database and the API.
+template <>
+inline constexpr auto kWords<RunEnding> = std::to_array<Word<RunEnding>>({{RunEnding::done, "done"},
+                                                                          {RunEnding::failed, "failed"},
+                                                                          {RunEnding::diverged, "diverged"},
+                                                                          {RunEnding::interrupted,
+                                                                           "interrupted"},
+                                                                          {RunEnding::crashed, "crashed"}});
 
 /// The exit status by which `capstan solve` reports the ending (schema/exit_codes.md).
 int exit_code_of(RunEnding ending);

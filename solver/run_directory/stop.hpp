@@ -1,10 +1,6 @@
 #pragma once
 // Why the simulation loop stopped: the word `stop` of result.json (schema/run_directory.md).
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string_view>
+#include "solver/case/words.hpp"
 
 namespace capstan {
 
@@ -16,22 +12,13 @@ enum class Stop {
   not_converged,  ///< the flow solver did not reach its tolerance
   interrupted,    ///< on request, with a checkpoint
 };
-
-inline constexpr std::array kStops = {Stop::reached_end, Stop::classified,    Stop::steady,
-                                      Stop::diverged,    Stop::not_converged, Stop::interrupted};
-
-/// The word of result.json, for example "reached_end".
-constexpr std::string_view to_string(Stop stop) {
-  constexpr std::array<std::string_view, kStops.size()> kWords = {
-      "reached_end", "classified", "steady", "diverged", "not_converged", "interrupted"};
-  return kWords[static_cast<std::size_t>(stop)];
-}
-
-/// Nothing if `word` is none of the six words.
-constexpr std::optional<Stop> parse_stop(std::string_view word) {
-  const auto found = std::ranges::find(kStops, word, [](Stop stop) { return to_string(stop); });
-  return found == kStops.end() ? std::nullopt : std::optional(*found);
-}
+template <>
+inline constexpr auto kWords<Stop> = std::to_array<Word<Stop>>({{Stop::reached_end, "reached_end"},
+                                                                {Stop::classified, "classified"},
+                                                                {Stop::steady, "steady"},
+                                                                {Stop::diverged, "diverged"},
+                                                                {Stop::not_converged, "not_converged"},
+                                                                {Stop::interrupted, "interrupted"}});
 
 /// Whether the run was computed as far as its case requires, so that it has a motion.
 constexpr bool has_answer(Stop stop) {

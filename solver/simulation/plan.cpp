@@ -17,12 +17,22 @@ Orbits symmetry_of(const Case& c, const Points& initial) {
 
 namespace {
 
-std::unique_ptr<FlowModel> make_quasisteady(const Case& c, const TriangleMesh& mesh, const Orbits& orbits) {
+std::unique_ptr<FlowModel> make_papers_flow(const Case& c, const TriangleMesh& mesh) {
   const Fidelity& f = c.fidelity;
-  if (f.scheme == Scheme::paper)
-    return std::make_unique<PaperFlow>(
-        mesh, PaperOptions{.dx = f.dx, .box = f.box, .Re = c.Re, .V = c.V, .tolerance = f.tolerance});
-  const QuasisteadyOptions options{.dx = f.dx, .box = f.box, .Re = c.Re, .V = c.V, .tolerance = f.tolerance};
+  return std::make_unique<PaperFlow>(
+      mesh, PaperOptions{.dx = f.dx, .box = f.box, .Re = c.Re, .V = c.V, .tolerance = f.tolerance});
+}
+
+std::unique_ptr<FlowModel> make_composite(const Case& c, const TriangleMesh& mesh, const Points& initial,
+                                          const Orbits& orbits) {
+  const Fidelity& f = c.fidelity;
+  const QuasisteadyOptions options{.dx = f.dx,
+                                   .box = f.box,
+                                   .Re = c.Re,
+                                   .V = c.V,
+                                   .volume = volume(initial, mesh.faces),
+                                   .tolerance = f.tolerance,
+                                   .is_unsteady = c.fluid == Fluid::unsteady};
   if (f.precision == Precision::double_)
     return std::make_unique<QuasisteadyFlow<double>>(mesh, orbits, options);
   return std::make_unique<QuasisteadyFlow<float>>(mesh, orbits, options);
@@ -52,29 +62,18 @@ std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, co
     case Fluid::stokes:
       return make_stokes(c, mesh, initial, orbits);
     case Fluid::quasisteady:
+    case Fluid::unsteady:
       break;
   }
-  return make_quasisteady(c, mesh, orbits);
+  return c.has_composite_grid() ? make_composite(c, mesh, initial, orbits) : make_papers_flow(c, mesh);
 }
 
 std::unique_ptr<TimeStepper> make_stepper(const Case& c, std::optional<double> imposed_kdt) {
   if (imposed_kdt) return std::make_unique<AdamsBashforth2>(*imposed_kdt);
-  if (c.fidelity.stepper == Stepper::runge_kutta_chebyshev) return std::make_unique<RungeKuttaChebyshev>();
+  if (c.fidelity.stepper == Stepper::runge_kutta_chebyshev)
+    return std::make_unique<RungeKuttaChebyshev>(
+        RungeKuttaChebyshev::Options{.soft_step = c.has_grid() ? 0 : 0.2});
   return std::make_unique<AdamsBashforth2>(c.fidelity.kdt);
-}
-
-std::vector<std::string> left_out(const Case& c) {
-  std::vector<std::string> parts;
-  if (!c.has_viscosity_ratio()) parts.push_back("viscosity field: V = 1");
-  if (!c.has_bending()) parts.push_back("bending forces: E_b = 0");
-  if (c.fluid == Fluid::quasisteady) parts.push_back("time derivative of the flow: quasi-steady");
-  if (c.can_use_symmetry() && c.fidelity.symmetry == Symmetry::automatic)
-    parts.push_back("three quarters of the flow: images of the fourth by the symmetry of the plane of shear");
-  if (c.fluid == Fluid::stokes) {
-    parts.push_back("inertia of the fluid: Re = 0");
-    parts.push_back("walls: the fluid is unbounded");
-  }
-  return parts;
 }
 
 }  // namespace capstan

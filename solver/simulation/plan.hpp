@@ -1,9 +1,8 @@
 #pragma once
-// The numerical models of a case: symmetry, flow model and time stepper, and the physics that they omit.
+// The numerical models of a case: symmetry, flow model and time stepper. solver/case/scene_plan.hpp has them
+// in words.
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "solver/case/case.hpp"
 #include "solver/fluid/flow_model.hpp"
@@ -25,8 +24,5 @@ std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, co
 
 /// \param imposed_kdt  the time step k dt of the flow model, if it imposes one
 std::unique_ptr<TimeStepper> make_stepper(const Case& c, std::optional<double> imposed_kdt);
-
-/// The parts of the physics that are not computed because this case does not require them, one phrase each.
-std::vector<std::string> left_out(const Case& c);
 
 }  // namespace capstan

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/case/case_warnings.hpp"
 #include "solver/case/choose_fluid.hpp"
 #include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
@@ -18,7 +19,7 @@ constexpr double kFolded = 90, kCollapsed = 2;
 std::string advice_on_fluid(const Case& c) {
   if (!neglects_inertia(c)) return "";
   return "At Re = " + rounded(c.Re) +
-         " the quasi-steady flow leaves out what matters: take the fluid transient.";
+         " the quasi-steady flow leaves out what matters: take the fluid unsteady.";
 }
 
 /// Whether the time step is too long for the explicit method, judged by the estimated decay rate of the
@@ -34,8 +35,9 @@ std::string advice_on_time_step(const Case& c) {
            "raise Ca.";
   if (c.fidelity.stepper != Stepper::adams_bashforth) return "";
   const double shorter = std::min(c.fidelity.kdt / 4, 0.5 / fastest_decay(c));
+  const std::string other = c.fluid == Fluid::unsteady ? "" : "the stepper rkc2, or ";
   return "The time step of ab2, kdt = " + rounded(c.fidelity.kdt) +
-         ", may be too long for this membrane: take the stepper rkc2, or a kdt of " + rounded(shorter) + ".";
+         ", may be too long for this membrane: take " + other + "a kdt of " + rounded(shorter) + ".";
 }
 
 std::string advice_on_folds(const Case& c, const SurfaceQuality& surface) {
@@ -57,9 +59,22 @@ std::string advice_on_collapse(const Case& c, const SurfaceQuality& surface) {
          " degrees): raise E_b, lower Ca, or take more nodes.";
 }
 
+/// No shape of a membrane that does not harden is steady at a large Ca. With boundary integrals neo-Hookean
+/// spheres (V = 1) are drawn out to 3.3 radii at Ca = 1, and to more than 8 at 4.
+std::string advice_on_drawn_out_shapes(const Case& c) {
+  constexpr double kMaxCa = 1;
+  if (c.law->is_strain_hardening || c.Ca <= kMaxCa) return "";
+  return "At Ca = " + rounded(c.Ca) + " a capsule of the law " + std::string(c.law->name) +
+         " is drawn out without end: lower Ca to " + rounded(kMaxCa) +
+         ", or take the law skalak, which hardens.";
+}
+
 /// An inner fluid of low viscosity hardly damps short waves of the membrane. Lattice models smooth these
-/// waves.
+/// waves, but a fine lattice no longer converges if the viscosity is very low.
 std::string advice_on_inner_viscosity(const Case& c) {
+  if (is_too_thin_for_lattice(c))
+    return "On a lattice of dx = " + rounded(c.fidelity.dx) + " an inside this thin (V = " + rounded(c.V) +
+           ") makes the solution of the flow unstable: take the fluid stokes, or raise V or dx.";
   if (c.fluid != Fluid::stokes || !(c.V < 0.5)) return "";
   return "An inside this thin (V = " + rounded(c.V) +
          ") hardly damps the membrane: take the fluid quasisteady, raise V, or lower Ca.";
@@ -78,6 +93,7 @@ std::string remedy(const Case& c, const SurfaceQuality& surface, bool of_motion)
   std::string all;
   for (const std::string& one : {of_step, advice_on_folds(c, surface), advice_on_collapse(c, surface)})
     if (!one.empty()) all += (all.empty() ? "" : " ") + one;
+  if (all.empty() && of_motion) all = advice_on_drawn_out_shapes(c);
   if (all.empty() && of_motion) all = advice_on_inner_viscosity(c);
   if (all.empty() && of_motion)
     return "The forces of the membrane are too strong: raise Ca, or lower E_b, C or c0.";

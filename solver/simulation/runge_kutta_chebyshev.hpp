@@ -12,6 +12,7 @@ class RungeKuttaChebyshev : public TimeStepper {
   struct Options {
     double tolerance = 3e-4;    ///< largest error of the positions in one step, root mean square, / a
     double largest_step = 0.1;  ///< k dt
+    double soft_step = 0;       ///< k dt, the largest step of a soft membrane, if that is longer
   };
   RungeKuttaChebyshev() : RungeKuttaChebyshev(Options{}) {}
   explicit RungeKuttaChebyshev(const Options& options) : options_(options) {}
@@ -30,6 +31,7 @@ class RungeKuttaChebyshev : public TimeStepper {
     Points end, end_velocities;
     double error = 0;  ///< in units of the tolerance; not finite if a flow solution failed
   };
+  double longest_accurate_step() const;
   double next_step(double left) const;
   Trial attempt(double kt, double step, const Points& start, const Points& velocities);
   void estimate_spectral_radius(double kt, const Points& positions, const Points& velocities);

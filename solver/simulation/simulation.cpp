@@ -77,7 +77,7 @@ FlowReport Simulation::solve_flow(double at, const Points& positions, Points& ve
 
 Simulation::Simulation(const Case& c)
     : case_(c),
-      sphere_(make_icosphere(*icosphere_subdivisions(c.fidelity.nodes))),
+      sphere_(icosphere_with(c.fidelity.nodes)),
       reference_(initial_positions(c, sphere_)),
       now_{.kt = 0, .positions = reference_, .velocities = {}, .forces = {}},
       orbits_(symmetry_of(c, reference_)),

@@ -51,6 +51,8 @@ class Simulation {
   void load(const StateArchive& archive);
 
   const Faces& faces() const { return sphere_.mesh.faces; }
+  /// 3 x #V, the stress-free shape, which is the initial shape
+  const Points& reference() const { return reference_; }
   double kt() const { return now_.kt; }
   const History& history() const { return history_; }
   const MotionSamples& samples() const { return samples_; }

@@ -22,7 +22,7 @@ struct Server {
   DataDirectory data{directory.path()};
   FakeExecutor executor;
   FakeClock clock;
-  Service service{data, executor, clock, 2};
+  Service service{data, executor, clock};
   HttpServer http{data.path(), AccessControl{{"named.example"}, {}}};
   Server() {
     http.set_service(service);

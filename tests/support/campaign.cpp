@@ -17,6 +17,8 @@ std::string without_cost(const std::string& document) {
   nlohmann::json result = nlohmann::json::parse(document.empty() ? "{}" : document);
   for (const char* key : {"seconds", "peak_memory_mb"})
     if (result.contains("cost")) result["cost"].erase(key);
+  const nlohmann::json::json_pointer companion("/error/companion");
+  if (result.contains(companion) && result[companion].is_object()) result[companion].erase("seconds");
   return result.dump();
 }
 

@@ -9,7 +9,13 @@ namespace capstan {
 
 class FakeExecutor : public Executor {
  public:
-  RunHandle start(const RunDirectory& directory) override {
+  explicit FakeExecutor(std::size_t cores = 2) : cores_(cores) {}
+
+  std::size_t slots() const override { return cores_; }
+  std::string slot_name() const override { return "cores"; }
+  bool has_room(std::size_t runs, std::size_t /*waiting*/) override { return runs < cores_; }
+
+  RunHandle start(const Claim&, const RunDirectory& directory) override {
     if (is_broken) throw std::runtime_error("cannot start a process");
     const RunHandle run = "run " + std::to_string(++count_);
     directories.emplace(run, directory);
@@ -28,6 +34,7 @@ class FakeExecutor : public Executor {
     return usage_;
   }
   bool wait_until_free(const RunDirectory&) override { return true; }
+  RunPlace place(const RunHandle& run) const override { return {false, "running", "process of " + run}; }
 
   void cancel(const RunHandle& run, StopBy stop) override {
     (stop == StopBy::kill ? killed : asked_to_stop).push_back(run);
@@ -49,6 +56,7 @@ class FakeExecutor : public Executor {
   std::map<RunHandle, RunDirectory> directories;
 
  private:
+  const std::size_t cores_;
   int count_ = 0;
   RunUsage usage_;
   std::map<RunHandle, ProcessEnd> ends_;

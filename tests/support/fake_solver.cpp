@@ -87,6 +87,8 @@ int complete(const RunDirectory& directory, double until, double Ca) {
                            {"message", ""},
                            {"motion", Ca < 0.5 ? "tumbling" : "tank_treading"},
                            {"evidence", {{"turns", 2.0}, {"margin", 0.25}}},
+                           {"confirmed", true},
+                           {"error", {{"Q", 0.01}, {"D_xy", 0.01}, {"label_agrees", true}}},
                            {"final", {{"kt", until}, {"D_xy", 0.5}, {"theta", -1.0}}}});
   return kExitDone;
 }

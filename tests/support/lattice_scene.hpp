@@ -53,7 +53,8 @@ class LatticeScene {
     nu.reset(middle());
     for_each_row_in_order(middle(), [&](int y, int z) {
       for (int i = 0, x = n_ / 4; i < n_ / 2; ++i, ++x)
-        nu.row(0, y, z)[i] = ambient * (V + (1 - V) * smoothed_heaviside((radius(x, y, z) - 1) / dx()));
+        nu.row(0, y, z)[i] =
+            ambient * (V + (1 - V) * smoothed_heaviside((radius(x, y, z) - 1) / dx(), kPaperHalfWidth));
     });
     for (PopulationGrid& grid : grids_) {
       grid.set_viscosity(nu);

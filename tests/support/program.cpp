@@ -67,7 +67,8 @@ Daemon::Daemon(const std::filesystem::path& data, const std::vector<std::string>
   posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
   std::vector<std::string> words = {"capstan", "serve", "--data", data};
   words.insert(words.end(), more.begin(), more.end());
-  if (std::find(more.begin(), more.end(), "--cores") == more.end())
+  if (std::find(more.begin(), more.end(), "--cores") == more.end() &&
+      std::find(more.begin(), more.end(), "--executor") == more.end())
     words.insert(words.end(), {"--cores", "3"});
   if (std::find(more.begin(), more.end(), "--listen") == more.end())
     words.insert(words.end(), {"--listen", "127.0.0.1:0"});

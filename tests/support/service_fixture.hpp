@@ -19,7 +19,7 @@ class ServiceFixture : public testing::Test {
   /// Makes a new service on the same data, as after a kill of the daemon.
   void restart() {
     service_.reset();
-    service_ = std::make_unique<Service>(data_, executor_, clock_, 2, limits_);
+    service_ = std::make_unique<Service>(data_, executor_, clock_, limits_);
   }
 
   const RunDirectory& directory_of(const RunHandle& run) { return executor_.directories.at(run); }
@@ -46,7 +46,7 @@ class ServiceFixture : public testing::Test {
   FakeExecutor executor_;
   FakeClock clock_;
   RunLimits limits_;
-  std::unique_ptr<Service> service_ = std::make_unique<Service>(data_, executor_, clock_, 2);
+  std::unique_ptr<Service> service_ = std::make_unique<Service>(data_, executor_, clock_);
 };
 
 /// The tests of the daemon: a study is submitted and its first cases are started at once.

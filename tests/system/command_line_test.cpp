@@ -52,8 +52,8 @@ class ServedCommandLineTest : public CommandLineTest {
 
 TEST_F(CommandLineTest, HelpOfEveryCommandExplainsIt) {
   EXPECT_THAT(run_capstan("--help").output, HasSubstr("phase-diagram"));
-  for (const char* command :
-       {"serve", "validate", "submit", "watch", "results", "show", "cancel", "phase-diagram", "solve"}) {
+  for (const char* command : {"serve", "validate", "plan", "fidelity", "submit", "watch", "results", "show",
+                              "cancel", "phase-diagram", "solve"}) {
     const CommandResult help = run_capstan(std::string(command) + " --help");
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_THAT(help.output, HasSubstr("Example:\n  capstan ")) << command;
@@ -165,6 +165,41 @@ TEST_F(CommandLineTest, ValidatePrintsJsonOnRequest) {
   const nlohmann::json invalid = validate(file_with(R"({"Ca": -1})"));
   EXPECT_EQ(invalid["valid"], false);
   EXPECT_EQ(invalid["errors"][0]["pointer"], "/Ca");
+}
+
+TEST_F(CommandLineTest, PlanSaysWhatACaseModelsAndCosts) {
+  const std::string file = file_with(R"({"shape": "biconcave", "Ca": 0.25, "V": 4, "fidelity": "fast"})");
+  const CommandResult text = run_capstan("plan " + file);
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_THAT(text.output, ContainsRegex("^case [0-9a-f]{16}\n  modelled\n    capsule: biconcave"));
+  EXPECT_THAT(text.output, ContainsRegex("expected cost\n    [0-9.]+ s of one core, "));
+  const auto plan = nlohmann::json::parse(run_capstan("plan --json " + file).output);
+  for (const nlohmann::json& part : plan["groups"][0]["left_out"])
+    EXPECT_THAT(text.output, HasSubstr("    " + part.get<std::string>() + "\n"));
+}
+
+TEST_F(CommandLineTest, PlanOfAStudyCountsItsCases) {
+  const CommandResult text = run_capstan("plan -", "<" + study_file({{"Ca", {0.25, 0.75}}, {"V", {1, 4}}}));
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_THAT(text.output, ContainsRegex("^study cli: 4 cases, [0-9.]+ s of one core \\("));
+  EXPECT_THAT(text.output, HasSubstr("\n2 cases\n  modelled\n"));
+}
+
+TEST_F(CommandLineTest, PlanOfAnInvalidFileListsItsIssues) {
+  const CommandResult result = run_capstan("plan " + file_with(R"({"Ca": -1, "V": "thick"})"));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("2 issues\n"));
+  EXPECT_THAT(result.output, IsEmpty());
+}
+
+TEST_F(CommandLineTest, FidelityListsThePresetsWithTheirCostAndError) {
+  const CommandResult text = run_capstan("fidelity");
+  EXPECT_THAT(text.output, ContainsRegex("standard +2562 +0.1 "));
+  const auto document = nlohmann::json::parse(run_capstan("fidelity --json").output);
+  EXPECT_EQ(document["presets"].size(), 4u);
+  for (const nlohmann::json& result : document["results"])
+    EXPECT_THAT(text.output, ContainsRegex(result["preset"].get<std::string>() + " +" +
+                                           result["fluid"].get<std::string>() + " +[0-9]"));
 }
 
 TEST_F(CommandLineTest, MalformedServerUrlIsInvalidInput) {

@@ -46,6 +46,23 @@ TEST_F(HttpTest, EveryInvalidStudyIsAnsweredWithAProblemThatListsItsIssues) {
   EXPECT_EQ(number_of_studies(), 0u);
 }
 
+TEST_F(HttpTest, PlanIsAnsweredWithoutSubmittingAnything) {
+  const auto plan = [&](const std::string& body) {
+    return client_.Post("/v1/plan", body, "application/json");
+  };
+  const auto answer = plan(study_document("planned", {{"Ca", {0.25, 0.75}}, {"V", {1, 4}}}).dump());
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 200);
+  const json study = json::parse(answer->body);
+  EXPECT_EQ(study["cases"], 4);
+  EXPECT_EQ(study["groups"].size(), 2u);
+  EXPECT_GT(study["seconds"]["total"], 0);
+  EXPECT_FALSE(study["groups"][0]["left_out"].empty());
+  EXPECT_EQ(plan(R"({"Ca": -1})")->status, 422);
+  EXPECT_EQ(client_.Get("/v1/plan")->status, 405);
+  EXPECT_EQ(number_of_studies(), 0u);
+}
+
 TEST_F(HttpTest, BodyOverOneMebibyteIsTooLarge) {
   const auto answer = post(std::string((1 << 20) + 1, ' '));
   ASSERT_TRUE(answer);

@@ -26,6 +26,7 @@ def check_time(reader, kt):
         expect(f"components of {name}", [field.GetNumberOfComponents()], [3])
         expect(f"|{name}| at {kt}", field.GetRange(-1), [magnitude, magnitude], 1e-12)
         expect(f"{name}_x at {kt}", field.GetRange(0), [-magnitude, magnitude], 1e-12)
+    expect(f"stretch at {kt}", reader.PointData["stretch"].GetRange(0), [radius, radius], 1e-12)
 
 
 reader = OpenDataFile(sys.argv[1])

@@ -57,6 +57,8 @@ class SolveTest : public testing::Test {
     EXPECT_EQ(history(name), history(other));
     nlohmann::json a = result(name), b = result(other);
     for (const char* cost : {"seconds", "peak_memory_mb"}) a["cost"].erase(cost), b["cost"].erase(cost);
+    for (nlohmann::json* result : {&a, &b})
+      if ((*result)["error"].contains("companion")) (*result)["error"]["companion"].erase("seconds");
     EXPECT_EQ(a, b);
     EXPECT_EQ(file_bytes(directory(name) / "shapes.xdmf2"), file_bytes(directory(other) / "shapes.xdmf2"));
   }
@@ -108,6 +110,66 @@ TEST_F(SolveTest, RunAtItsWallTimeExitsWith75AndIsResumed) {
   EXPECT_THAT(log("limited"), HasSubstr("resumed at step 2\n"));
   ASSERT_EQ(solve(case_file, "undisturbed"), 0);
   expect_same_answer("limited", "undisturbed");
+}
+
+TEST_F(SolveTest, AnAnswerHasErrorsFromItsCompanionWhichIsCompleteInItsOwnDirectory) {
+  ASSERT_EQ(solve(write_case(kQuick), "run"), 0);
+  const nlohmann::json error = result("run")["error"];
+  EXPECT_GT(error["Q"], 0);
+  EXPECT_GT(error["D_xy"], 0);
+  EXPECT_EQ(error["companion"]["nodes"], 42);
+  EXPECT_EQ(error["companion"]["stop"], "reached_end");
+  const fs::path companion = directory("run") / "rungs/42";
+  EXPECT_TRUE(fs::exists(companion / "result.json"));
+  EXPECT_FALSE(fs::exists(companion / "checkpoint-a.h5"));
+  EXPECT_FALSE(fs::is_symlink(directory("run") / "history.jsonl"));
+}
+
+TEST_F(SolveTest, ACaseWithoutCompanionSaysThatItsErrorIsUnknown) {
+  std::string alone = kQuick;
+  alone.insert(1, R"("companion": false, )");
+  ASSERT_EQ(solve(write_case(alone), "alone"), 0);
+  EXPECT_TRUE(result("alone")["error"]["Q"].is_null());
+  EXPECT_EQ(result("alone")["error"]["unknown"], "the case asks for no companion");
+  EXPECT_EQ(result("alone")["confirmed"], false);
+  EXPECT_FALSE(fs::exists(directory("alone") / "rungs"));
+}
+
+/// A sphere that climbs to 642 nodes.
+const char* const kClimb =
+    R"({"Ca": 0.1, "V": 2, "E_b": 0.01, "fluid": "stokes", "fidelity": {"error": 0.005},
+  "until": {"kt": 4}, "outputs": {"history_every": 0.1, "shapes_every": 1, "checkpoint_every": 1}})";
+
+TEST_F(SolveTest, AnErrorAskedForIsMetByTheFirstRungWhoseEstimateIsSmaller) {
+  ASSERT_EQ(solve(write_case(kClimb), "climb"), 0);
+  const nlohmann::json error = result("climb")["error"];
+  EXPECT_EQ(error["met"], true);
+  EXPECT_LE(error["Q"], 0.005);
+  EXPECT_EQ(error["asked"], 0.005);
+  const std::string nodes = std::to_string(error["nodes"].get<int>());
+  EXPECT_EQ(history("climb"), file_bytes(directory("climb") / "rungs" / nodes / "history.jsonl"));
+  EXPECT_TRUE(fs::exists(directory("climb") / "shapes/0004.h5"));
+  EXPECT_EQ(result("climb")["case"]["fidelity"]["error"], 0.005);
+}
+
+TEST_F(SolveTest, AClimbThatIsInterruptedAgainAndAgainHasTheSameAnswer) {
+  const fs::path case_file = write_case(kClimb);
+  ASSERT_EQ(solve(case_file, "undisturbed"), 0);
+  int interruptions = 0;
+  while (SolveProcess(case_file, directory("interrupted"), {"--wall-time", "0.05"}).wait() == 75)
+    ASSERT_LT(++interruptions, 300);
+  EXPECT_GE(interruptions, 2);
+  expect_same_answer("interrupted", "undisturbed");
+}
+
+TEST_F(SolveTest, AnErrorThatTheFinestRungDoesNotMeetIsAWarning) {
+  ASSERT_EQ(solve(write_case(R"({"Ca": 0.05, "E_b": 0.01, "fluid": "quasisteady", "until": {"kt": 0.2},
+    "fidelity": {"error": 0.0006, "box": 6.4}, "outputs": {"shapes_every": 0}})"),
+                  "climb"),
+            0);
+  EXPECT_EQ(result("climb")["error"]["met"], false);
+  EXPECT_THAT(result("climb")["trust"]["warnings"].dump(),
+              HasSubstr("the error asked for, 0.0006, was not met"));
 }
 
 // As nohup does.

@@ -19,9 +19,10 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kOrder = {
     "solver/grid",       "solver/strain_laws", "solver/case",          "solver/state",    "solver/mesh",
     "solver/membrane",   "solver/observe",     "solver/run_directory", "solver/coupling", "solver/fluid",
-    "solver/simulation", "solver/output",      "solver/baseline",      "runner/study",    "runner/store",
-    "runner/queue",      "runner/recording",   "runner/queries",       "runner/render",   "runner/daemon",
-    "runner/doctor",     "runner/web",         "runner/worker",        "runner/cli"};
+    "solver/simulation", "solver/output",      "solver/baseline",      "runner/boundary", "runner/study",
+    "runner/store",      "runner/queue",       "runner/recording",     "runner/queries",  "runner/render",
+    "runner/daemon",     "runner/slurm",       "runner/doctor",        "runner/web",      "runner/worker",
+    "runner/cli"};
 
 /// Place in the order; nothing for a folder that has none.
 std::optional<std::size_t> place_of(const std::string& folder) {

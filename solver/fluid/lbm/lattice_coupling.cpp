@@ -20,7 +20,8 @@ IndexBox LatticeOptions::cells() const {
 LatticeCoupling::LatticeCoupling(const TriangleMesh& mesh, const LatticeOptions& options)
     : options_(options), boundary_(geometry(options)) {
   if (options.V != 1)
-    viscosity_.emplace(geometry(options), mesh, Orbits::without_symmetry(mesh.vertex_count()));
+    viscosity_.emplace(geometry(options), mesh, Orbits::without_symmetry(mesh.vertex_count()),
+                       kPaperHalfWidth);
 }
 
 bool LatticeCoupling::place_membrane(const Points& positions, const Points& forces) {

@@ -8,16 +8,26 @@
 // and their residuals are proportional to the spacing; forces and the residual of g are proportional to its
 // square.
 #include <optional>
+#include <span>
 
 #include "solver/fluid/quasisteady/moment_sweep.hpp"
 #include "solver/fluid/quasisteady/stress_field.hpp"
+#include "solver/fluid/quasisteady/time_derivative.hpp"
 
 namespace capstan {
 
-/// Relaxation factors of the sweeps over a grid.
+/// Relaxation factors of one sweep.
+struct SweepRelaxation {
+  double gamma;  ///< of density and momentum
+  double p;      ///< of stresses
+  ThinFluidFactors thin = {};
+};
+
+/// Relaxation factors of the sweeps over a grid. The two entries are for alternate sweeps.
 struct Relaxation {
-  double gamma[2];  ///< of density and momentum, in alternate sweeps
-  double p;         ///< of stresses
+  SweepRelaxation everywhere[2];
+  /// Further sweeps after each sweep, over the rows with stresses only.
+  std::span<const SweepRelaxation> rows_with_stress[2] = {};
 };
 
 template <class T>
@@ -42,9 +52,18 @@ class MomentGrid {
 
   /// Ratio of the viscosity to the ambient one, in the cells of the field's box; 1 elsewhere.
   void set_viscosity(const ScalarField& ratio) { stress_->set_viscosity(ratio); }
+  /// The same for the finest grid (StressField).
+  void set_viscosity(const InterfaceField& interface, double V) { stress_->set_viscosity(interface, V); }
+
+  /// Puts a share of (b) of stress_tensor.hpp into D of the stresses, on the finest grid.
+  void put_local_stress(double share);
 
   /// D <- 0.
   void clear_force();
+  /// Makes the equation that of unsteady flow, with this backward difference, and adds to D the part of the
+  /// time derivative that is known. To be called after clear_force(), while the moments of this grid are
+  /// those of the last solve.
+  void add_time_derivative(const BackwardDifference& difference);
   /// D <- D + force, in the cells of the field's box (units a k per sweep).
   void add_force(const VectorField& force);
   /// Adds to D the part of convection that is kept constant during a solve (convection.hpp), computed from
@@ -53,7 +72,8 @@ class MomentGrid {
   /// g <- g + factor * force. (The velocity is u = g - F/2.)
   void add_momentum(double factor, const VectorField& force);
 
-  /// Linear extrapolation in time: moments <- moments + weight (moments - moments of the last call).
+  /// Linear extrapolation in time: moments <- moments + weight (moments - moments of the last call). In
+  /// unsteady flow the weight of the density is smaller, and add_time_derivative() precedes.
   void extrapolate(double weight);
 
   /// Moves the grid to another box. Cells that it did not cover before, and its ghosts, are interpolated from
@@ -72,9 +92,25 @@ class MomentGrid {
   }
 
  private:
-  void sweep(double keep, double blend, double p_keep, double p_blend);
+  /// keep and blend (moment_sweep.hpp) of density, momentum and stresses.
+  struct SweepWeights {
+    double keep, blend;
+    double g_keep, g_blend;
+    double p_keep, p_blend;
+    ThinFluidFactors thin = {};
+  };
+  SweepWeights weights_of(const SweepRelaxation& relaxation) const {
+    const double gamma = relaxation.gamma, p = relaxation.p;
+    return {1 - gamma, gamma, 1 - gamma, gamma / (1 + rate_), 1 - p, p, relaxation.thin};
+  }
+  void sweep(const SweepWeights& weights);
+  void sweep_stress_row(int y, int z, const FluidRow<T>& fluid, const SweepWeights& weights);
+  void relax_everywhere(const SweepRelaxation& relaxation);
+  void relax_rows_with_stress(const SweepRelaxation& relaxation);
+  FluidRow<T> fluid_row(int y, int z, const SweepWeights& weights);
   /// scratch_.next <- residual S(m) + D - m, and likewise of the stresses.
-  void sweep_residual() { sweep(-1, 1, -1, 1); }
+  void sweep_residual() { sweep({-1, 1, -1 - rate_, 1, -1, 1}); }
+  double density_weight(double weight) const;
   void take_defect(MomentGrid& fine);
   void take_change();
   IndexBox covered_stencils(const MomentGrid& fine) const;
@@ -86,7 +122,8 @@ class MomentGrid {
   IndexBox domain_;
   SideRules domain_rules_;
   double dx_;
-  double inertia_;  ///< Re nu dx / a
+  double inertia_;   ///< Re nu dx / a
+  double rate_ = 0;  ///< of unsteady flow: Re nu dx^2 alpha_0
   Relaxation relaxation_;
   int sweep_parity_ = 0;  ///< index of the gamma of the next sweep; 0 at the start of every solve, because
                           ///< each visit has an even number of sweeps

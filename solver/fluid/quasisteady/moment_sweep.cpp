@@ -123,35 +123,30 @@ template <class T>
   const Strides &s = row.fluid.strides, &t = row.stress_strides;
   const T* __restrict rho = begin_of(row.fluid.m);
   const T *gx = rho + s.component, *gy = gx + s.component, *gz = gy + s.component;
-  const T* __restrict xx = begin_of(row.p);
+  const T* __restrict xx = begin_of(row.q);
   const T *yy = xx + t.component, *xy = yy + t.component, *xz = xy + t.component, *yz = xz + t.component;
-  const T* __restrict c = begin_of(row.factor);
-  const T undisturbed = row.undisturbed;
+  constexpr T weight = 4.5;  // of Q in phi
   const int shift = kLanes - block.first;
 #pragma GCC ivdep
   for (int i = block.from; i < block.to; ++i) {
-    // phi along (e_x, e_y, 0), from the row at y - e_y; `across` is that for e_x = 0. 9/2 c is the weight of
-    // P in phi.
+    // phi along (e_x, e_y, 0), from the row at y - e_y; `across` is that for e_x = 0.
     const auto in_y = [&](int ey, T& across) {
       const std::ptrdiff_t at = i - ey * s.y, p_at = i - ey * t.y;
-      const T weight = T(4.5) * c[i - ey * row.factor_strides.y];
       across = rho[at] + T(3 * ey) * gy[at] + weight * yy[p_at];
-      return Phi<T>{across + weight * xx[p_at], 3 * gx[at] + T(2 * ey) * weight * (xy[p_at] + undisturbed)};
+      return Phi<T>{across + weight * xx[p_at], 3 * gx[at] + T(2 * ey) * weight * xy[p_at]};
     };
     const auto in_z = [&](int ez, T& across) {
       const std::ptrdiff_t at = i - ez * s.z, p_at = i - ez * t.z;
-      const T weight = T(4.5) * c[i - ez * row.factor_strides.z];
       const T isotropic = rho[at] + T(3 * ez) * gz[at];
       across = isotropic - weight * (xx[p_at] + yy[p_at]);
       return Phi<T>{isotropic - weight * yy[p_at], 3 * gx[at] + T(2 * ez) * weight * xz[p_at]};
     };
     const auto corner = [&](int ey, int ez) {
       const std::ptrdiff_t at = i - ey * s.y - ez * s.z, p_at = i - ey * t.y - ez * t.z;
-      const T weight = T(4.5) * c[i - ey * row.factor_strides.y - ez * row.factor_strides.z];
       return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]) +
              weight * (T(2 * ey * ez) * yz[p_at] - xx[p_at]);
     };
-    const T axis = T(4.5) * c[i] * xx[i];
+    const T axis = weight * xx[i];
     T yp, yn, zp, zn;
     const Phi<T> right_yp = in_y(1, yp), right_yn = in_y(-1, yn);
     const Phi<T> right_zp = in_z(1, zp), right_zn = in_z(-1, zn);
@@ -178,10 +173,16 @@ template <class T>
   }
 }
 
+template <class T>
+struct MomentWeights {
+  Weights<T> rho, g;
+};
+
 /// Second half of (b) for density and momentum: the sums over the populations from x - 1, from x + 1 and from
-/// the same x, minus (c); then the relaxation. Ghosts are copied.
-template <class T, class Sent>
-[[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block, const Sent& sent) {
+/// the same x, minus (c); then the relaxation with the weights of each cell. Ghosts are copied.
+template <class T, class Sent, class WeightsAt>
+[[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block, const Sent& sent,
+                                         WeightsAt weights_of_cell) {
   const std::ptrdiff_t k = row.strides.component;
   const T* __restrict m = begin_of(row.m);
   const T* __restrict d = begin_of(row.defect);
@@ -189,26 +190,43 @@ template <class T, class Sent>
   const int shift = kLanes - block.first;
 #pragma GCC ivdep
   for (int i = block.first; i < block.last; ++i) {
-    const Weights<T> weights = weights_at(i, row.count, row.keep, row.blend);
-    const auto put = [&](int j, T sum, T carried) {
+    const MomentWeights<T> of_cell = weights_of_cell(i);
+    const Weights<T>&of_rho = of_cell.rho, &of_g = of_cell.g;
+    const auto put = [&](int j, const Weights<T>& weights, T sum, T carried) {
       const std::ptrdiff_t at = i + j * k;
       out[at] = weights.keep * m[at] + weights.blend * (sum * T(1. / 36) + d[at] - carried);
     };
     const auto carried = [&](int j) { return row.shear * (m[i + 1 + j * k] - m[i - 1 + j * k]); };
     const int from = i + shift;
-    put(kRho, sent.arrived(kSum, from), 0);
-    put(kGx, sent.from_left(kSum, from) - sent.from_right(kSum, from),
+    put(kRho, of_rho, sent.arrived(kSum, from), 0);
+    put(kGx, of_g, sent.from_left(kSum, from) - sent.from_right(kSum, from),
         carried(kGx) + row.lift * m[i + kGy * k]);
-    put(kGy, sent.arrived(kSumY, from), carried(kGy));
-    put(kGz, sent.arrived(kSumZ, from), carried(kGz));
+    put(kGy, of_g, sent.arrived(kSumY, from), carried(kGy));
+    put(kGz, of_g, sent.arrived(kSumZ, from), carried(kGz));
   }
+}
+
+template <class T>
+[[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block,
+                                         const FluidSent<T>& sent) {
+  relax(row, block, sent, [&](int i) {
+    return MomentWeights<T>{weights_at(i, row.count, row.keep, row.blend),
+                            weights_at(i, row.count, row.g_keep, row.g_blend)};
+  });
 }
 
 /// Second half of (b) for density, momentum and stresses.
 template <class T>
 [[gnu::always_inline]] inline void relax(const StressRow<T>& row, const Block& block,
                                          const StressSent<T>& sent) {
-  relax(row.fluid, block, sent);
+  const int cells = row.fluid.count;
+  const T* __restrict c = begin_of(row.factor);
+  relax(row.fluid, block, sent, [&](int i) {
+    return MomentWeights<T>{
+        weights_at(i, cells, row.fluid.keep + c[i] * row.thin_rho, row.fluid.blend - c[i] * row.thin_rho),
+        weights_at(i, cells, row.fluid.g_keep + c[i] * row.thin_g_keep,
+                   row.fluid.g_blend - c[i] * row.thin_g_blend)};
+  });
   const std::ptrdiff_t k = row.stress_strides.component;
   const T* __restrict p = begin_of(row.p);
   const T* __restrict d = begin_of(row.p_defect);
@@ -216,7 +234,8 @@ template <class T>
   const int shift = kLanes - block.first;
 #pragma GCC ivdep
   for (int i = block.first; i < block.last; ++i) {
-    const Weights<T> weights = weights_at(i, row.fluid.count, row.p_keep, row.p_blend);
+    const Weights<T> weights =
+        weights_at(i, cells, row.p_keep + c[i] * row.thin_p, row.p_blend - c[i] * row.thin_p);
     const auto put = [&](int j, T sum) {
       const std::ptrdiff_t at = i + j * k;
       out[at] = weights.keep * p[at] + weights.blend * (sum * T(1. / 36) + d[at]);

@@ -8,6 +8,7 @@
 // from 1), its momentum g (force F included) and its traceless stress P:
 //
 //   f*_i = w_i phi_i,   phi_i = rho + 3 e_i.g + 9/2 e_i e_i : Q,   Q = (1 - s) P,   s = 1/(3 nu + 1/2) (a)
+// (stress_tensor.hpp has Q near a membrane).
 //
 // After streaming the moments of a cell at x are
 //
@@ -29,6 +30,9 @@
 // A sweep computes  keep m + blend (m** + D).  Relaxation by gamma has keep = 1 - gamma, blend = gamma; keep
 // = -1, blend = 1 gives the residual m** + D - m. D is the force F on the finest grid and the defect
 // correction (eq. 24) on coarser ones.
+//
+// In unsteady flow (time_derivative.hpp) the equation of the momentum is g = g** + D - rate g. Its relaxation
+// has keep = 1 - gamma, blend = gamma/(1 + rate), its residual keep = -1 - rate, blend = 1.
 #include "solver/grid/index_box.hpp"
 
 namespace capstan {
@@ -49,26 +53,35 @@ struct FluidRow {
   const T* defect;  ///< D
   T* out;
   Strides strides;
-  int count;  ///< cells
-  T keep, blend;
-  T shear = 0;  ///< of (c): Re nu dx y / 2
-  T lift = 0;   ///< of (c): Re nu dx^2
+  int count;          ///< cells
+  T keep, blend;      ///< of the density
+  T g_keep, g_blend;  ///< of the momentum
+  T shear = 0;        ///< of (c): Re nu dx y / 2
+  T lift = 0;         ///< of (c): Re nu dx^2
 };
 void sweep_fluid(const FluidRow<float>& row);
 void sweep_fluid(const FluidRow<double>& row);
+
+/// Relaxation factors per unit of -c, for density, momentum and stresses. They are added to those of the row,
+/// so that a thin fluid (c < 0) is relaxed with factors of its own. A fixed point of the sweep does not
+/// depend on them.
+struct ThinFluidFactors {
+  double rho = 0, g = 0, p = 0;
+};
 
 /// A row of cells with stresses.
 template <class T>
 struct StressRow {
   FluidRow<T> fluid;
-  const T* factor;  ///< c = 1 - s, with ghosts
-  Strides factor_strides;
-  const T* p;         ///< P, with ghosts, minus the stress of the undisturbed flow
+  const T* factor;    ///< c
+  const T* q;         ///< Q, with ghosts, the stress of the undisturbed flow included
+  const T* p;         ///< P, minus the stress of the undisturbed flow
   const T* p_defect;  ///< D of the stresses
   T* p_out;
   Strides stress_strides;
   T p_keep, p_blend;
-  T undisturbed;  ///< P_xy of the undisturbed flow
+  T thin_rho = 0, thin_p = 0;           ///< ThinFluidFactors of density and stresses
+  T thin_g_keep = 0, thin_g_blend = 0;  ///< that of the momentum, and the same / (1 + rate)
 };
 void sweep_stress(const StressRow<float>& row);
 void sweep_stress(const StressRow<double>& row);

@@ -1,27 +1,32 @@
 #pragma once
 // Steady flow at every instant (the paper's method, section III) on a composite grid, which is fine around
-// the capsule only; for a symmetric capsule on a quarter of it.
+// the capsule only; for a symmetric capsule on a quarter of it. With the time derivative
+// (time_derivative.hpp) the flow is unsteady, at the same cost: it starts as the undisturbed shear flow and
+// is solved for once a step.
 //
 // Differs from the paper: the free moments have the relaxation rate 1, so that the equation is solved in
 // moments (moment_sweep.hpp); the fine grid covers only the surroundings of the capsule; a solve starts from
 // an extrapolation in time; cycles stop on an estimate of the error.
+#include <optional>
 #include <vector>
 
 #include "solver/coupling/viscosity_field.hpp"
 #include "solver/fluid/flow_model.hpp"
 #include "solver/fluid/quasisteady/composite_boxes.hpp"
+#include "solver/fluid/quasisteady/membrane_coupling.hpp"
 #include "solver/fluid/quasisteady/moment_grid.hpp"
-#include "solver/fluid/quasisteady/symmetric_boundary.hpp"
 
 namespace capstan {
 
 struct QuasisteadyOptions {
-  double dx = 0.1;          ///< finest spacing / a
-  double box = 12.8;        ///< edge of the domain / a
-  double Re = 0.05;         ///< 0: no convection
-  double V = 1;             ///< viscosity ratio
-  double tolerance = 1e-3;  ///< estimated relative error of the velocities of the membrane
-  bool is_uniform = false;  ///< the finest grid covers the whole domain
+  double dx = 0.1;                    ///< finest spacing / a
+  double box = 12.8;                  ///< edge of the domain / a
+  double Re = 0.05;                   ///< 0: no convection
+  double V = 1;                       ///< viscosity ratio
+  std::optional<double> volume = {};  ///< that is kept; none: only the flow through the membrane is zero
+  double tolerance = 1e-3;            ///< estimated relative error of the velocities of the membrane
+  bool is_uniform = false;            ///< the finest grid covers the whole domain
+  bool is_unsteady = false;           ///< with the time derivative; then every solve must be at a later time
 };
 
 /// \tparam T  float or double: the type of the numbers on the grids
@@ -44,16 +49,18 @@ class QuasisteadyFlow : public FlowModel {
   bool put_membrane(const Points& positions);
   void move_boxes(const IndexBox& capsule);
   void make_grids(const std::vector<IndexBox>& boxes);
+  FlowReport start_undisturbed(double kt, const Points& positions, Points& velocities);
   void put_viscosity(const Points& positions);
+  void clear_forces(double kt);
   void put_forces(const Points& forces);
   void extrapolate_to(double kt);
-  void vertex_velocities(const Points& positions, Points& velocities);
+  void vertex_velocities(Points& velocities);
   void forget_flow();
-  FlowReport cycle_until_converged(const Points& positions, Points& velocities);
+  FlowReport cycle_until_converged(Points& velocities);
 
   QuasisteadyOptions options_;
   Domain domain_;
-  SymmetricBoundary boundary_;
+  MembraneCoupling coupling_;
   std::optional<ViscosityField> viscosity_;  ///< none for V = 1
   // State: a checkpoint stores it together with the state of each grid
   std::vector<IndexBox> boxes_;

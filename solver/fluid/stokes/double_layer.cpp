@@ -19,6 +19,7 @@ DoubleLayer::DoubleLayer(const Surface& surface, const Neighbourhood& neighbourh
                          const std::vector<CloseFace>& close)
     : surface_(surface), targets_(neighbourhood.targets()) {
   area_vectors_.assign(surface.vertex_area_vectors);
+  corrections_.reserve(close.size());
   for (const CloseFace& here : close)
     corrections_.push_back(make_correction(surface, targets_[here.slot], here));
 }

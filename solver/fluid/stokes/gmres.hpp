@@ -10,6 +10,7 @@ namespace capstan {
 struct LinearSolution {
   int products = 0;           ///< number of operator-vector products
   double relative_error = 0;  ///< |b - A x| / |b|
+  Eigen::VectorXd residual;   ///< b - A x
 };
 
 /// Solves A x = b until |b - A x| <= tolerance |b|, or until `max_products` products were computed.

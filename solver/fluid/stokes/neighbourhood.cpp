@@ -69,19 +69,24 @@ Rings Neighbourhood::rings_around(int target) const {
 std::vector<CloseFace> Neighbourhood::close_faces(const Surface& surface) const {
   const std::vector<float> reach_squared = squared_reach(surface);
   std::vector<std::vector<int>> faces(targets_.size());
-#pragma omp parallel for schedule(dynamic, 16)
-  for (int slot = 0; slot < int(targets_.size()); ++slot)
-    faces[slot] = faces_close_to(slot, surface, reach_squared);
+#pragma omp parallel
+  {
+    std::vector<unsigned char> within_reach;
+#pragma omp for schedule(dynamic, 16)
+    for (int slot = 0; slot < int(targets_.size()); ++slot)
+      faces[slot] = faces_close_to(slot, surface, reach_squared, within_reach);
+  }
   std::vector<CloseFace> close;
   for (int slot = 0; slot < int(targets_.size()); ++slot)
     for (int face : faces[slot]) close.push_back({slot, face});
   return close;
 }
 
+/// \param within_reach  scratch
 std::vector<int> Neighbourhood::faces_close_to(int slot, const Surface& surface,
-                                               const std::vector<float>& reach_squared) const {
+                                               const std::vector<float>& reach_squared,
+                                               std::vector<unsigned char>& within_reach) const {
   const Rings& rings = rings_[slot];
-  std::vector<unsigned char> within_reach;
   const int hits = mark_within_reach(surface.points, reach_squared,
                                      surface.positions.col(targets_[slot]).cast<float>(), within_reach);
   const auto hits_in_rings =

@@ -55,8 +55,8 @@ class Neighbourhood {
  private:
   Rings rings_around(int target) const;
   void number_near_faces();
-  std::vector<int> faces_close_to(int slot, const Surface& surface,
-                                  const std::vector<float>& reach_squared) const;
+  std::vector<int> faces_close_to(int slot, const Surface& surface, const std::vector<float>& reach_squared,
+                                  std::vector<unsigned char>& within_reach) const;
 
   std::vector<int> targets_;
   std::vector<std::vector<Corner>> corners_;  ///< #V: corners of the faces around each vertex

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "solver/fluid/stokes/point_loops.hpp"
-
 namespace capstan {
 namespace {
 
@@ -26,27 +24,27 @@ std::vector<const PointLoops*> supported_point_loops() {
   return supported;
 }
 
-void PointArray::resize(int size) {
-  for (std::vector<float>* component : {&x_, &y_, &z_}) component->resize(size_t(size));
-}
-
-void PointArray::finish() {
-  const int padded = (size_ + kLanes - 1) / kLanes * kLanes;
-  resize(padded);
-  for (std::vector<float>* component : {&x_, &y_, &z_})
-    std::fill(component->begin() + size_, component->end(), 0.f);
-}
-
 void PointArray::assign(const Eigen::Matrix3Xd& values) {
-  clear();
-  for (const auto& value : values.colwise()) push_back(value.cast<float>());
-  finish();
+  const auto count = size_t(values.cols()), padded = (count + kLanes - 1) / kLanes * kLanes;
+  for (std::vector<float>* component : {&x_, &y_, &z_}) component->resize(padded);
+  for (size_t n = 0; n < count; ++n) {
+    x_[n] = float(values(0, n));
+    y_[n] = float(values(1, n));
+    z_[n] = float(values(2, n));
+  }
+  for (std::vector<float>* component : {&x_, &y_, &z_})
+    std::fill(component->begin() + count, component->end(), 0.f);
 }
 
 Eigen::Vector3f sum_stokeslets(const PointArray& points, const PointArray& strengths,
                                const Eigen::Vector3f& x0) {
+  return sum_stokeslets(points.padded_size(), components(points), components(strengths), x0);
+}
+
+Eigen::Vector3f sum_stokeslets(int count, const Components& points, const Components& strengths,
+                               const Eigen::Vector3f& x0) {
   Eigen::Vector3f sum;
-  loops().stokeslets(points.padded_size(), components(points), components(strengths), x0.data(), sum.data());
+  loops().stokeslets(count, points, strengths, x0.data(), sum.data());
   return sum;
 }
 

@@ -8,6 +8,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "solver/fluid/stokes/point_loops.hpp"
+
 namespace capstan {
 
 /// Points in single precision, one array a component, padded with zeros to whole vectors.
@@ -15,16 +17,8 @@ class PointArray {
  public:
   static constexpr int kLanes = 16;
 
-  void clear() { size_ = 0; }
-  void push_back(const Eigen::Vector3f& v) {
-    if (size_ == padded_size()) resize(2 * size_ + kLanes);
-    x_[size_] = v[0], y_[size_] = v[1], z_[size_] = v[2];
-    ++size_;
-  }
   /// \param values 3 x n
   void assign(const Eigen::Matrix3Xd& values);
-  /// Pads with zeros. Must be called after the last push_back().
-  void finish();
 
   int padded_size() const { return int(x_.size()); }
   const float* x() const { return x_.data(); }
@@ -32,8 +26,6 @@ class PointArray {
   const float* z() const { return z_.data(); }
 
  private:
-  void resize(int size);
-  int size_ = 0;
   std::vector<float> x_, y_, z_;
 };
 
@@ -41,6 +33,11 @@ class PointArray {
 /// \param points     x_n
 /// \param strengths  F_n
 Eigen::Vector3f sum_stokeslets(const PointArray& points, const PointArray& strengths,
+                               const Eigen::Vector3f& x0);
+
+/// The same over plain arrays.
+/// \param count  number of points, a multiple of PointArray::kLanes
+Eigen::Vector3f sum_stokeslets(int count, const Components& points, const Components& strengths,
                                const Eigen::Vector3f& x0);
 
 /// sum_n (u_n - u0)_i T_ijk(x_n - x0) N_k,n.

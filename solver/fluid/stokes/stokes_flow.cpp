@@ -5,13 +5,13 @@
 #include "solver/fluid/stokes/double_layer.hpp"
 #include "solver/fluid/stokes/gmres.hpp"
 #include "solver/fluid/stokes/single_layer.hpp"
-#include "solver/mesh/geometry.hpp"
-#include "solver/state/points_archive.hpp"
 
 namespace capstan {
 namespace {
 
 constexpr int kMaxProducts = 150;
+// The residual is a small part of the tolerance: errors of extrapolated solutions are alike and add up.
+constexpr double kResidualShare = 0.3;
 constexpr double kVolumeRate = 10;  // rate in units of k at which a volume error decays: fast compared with
                                     // the flow, slow compared with the elastic relaxation
 
@@ -33,13 +33,18 @@ Points without_pressure(const Points& forces, const Surface& surface) {
   return forces - flux(forces, surface) / area_vectors.squaredNorm() * area_vectors;
 }
 
+/// The inverse of 1 - (1 - V) K for short waves, on which the surface is flat and K u(x0) is -u(x0)/2, from
+/// the subtracted density.
+double inverse_for_short_waves(double V) { return 2 / (1 + V); }
+
 }  // namespace
 
 StokesFlow::StokesFlow(const TriangleMesh& mesh, Orbits orbits, const StokesOptions& options)
     : mesh_(mesh),
       orbits_(std::move(orbits)),
       neighbourhood_(mesh_, orbits_.representatives()),
-      options_(options) {}
+      options_(options),
+      guess_(inverse_for_short_waves(options.V)) {}
 
 FlowReport StokesFlow::solve(double, const Points& positions, const Points& forces, Points& velocities) {
   if (!positions.allFinite() || !forces.allFinite()) return lost_flow(kLostMembrane);
@@ -47,34 +52,40 @@ FlowReport StokesFlow::solve(double, const Points& positions, const Points& forc
   const std::vector<CloseFace> close = neighbourhood_.close_faces(surface);
   const Points driven = orbits_.restrict(shear_flow(positions)) +
                         single_layer(surface, neighbourhood_, close, without_pressure(forces, surface));
-  const FlowReport report = solve_integral_equation(surface, close, driven);
+  Points solution;
+  const FlowReport report = solve_integral_equation(surface, close, driven, solution);
 
   const Points normals = surface.vertex_area_vectors.colwise().normalized();
-  const double drift = volume(positions, mesh_.faces) - options_.volume;
-  const double outflow = flux(orbits_.extend(last_), surface) + kVolumeRate * drift;
-  velocities = orbits_.extend(last_ - outflow / flux(normals, surface) * orbits_.restrict(normals));
+  const double drift = flux(positions, surface) / 3 - options_.volume;  // div x = 3
+  const double outflow = flux(orbits_.extend(solution), surface) + kVolumeRate * drift;
+  velocities = orbits_.extend(solution - outflow / flux(normals, surface) * orbits_.restrict(normals));
   if (!velocities.allFinite()) return lost_flow("the flow is not finite");
   return report;
 }
 
-/// Solves u - (1 - V) K u = driven at the representatives. The solution is last_.
+/// Solves u - (1 - V) K u = driven at the representatives.
+/// \param solution  3 x #representatives, result
 FlowReport StokesFlow::solve_integral_equation(const Surface& surface, const std::vector<CloseFace>& close,
-                                               const Points& driven) {
+                                               const Points& driven, Points& solution) {
   if (options_.V == 1) {
-    last_ = driven;
+    solution = driven;
     return {.iterations = 1};
   }
-  if (last_.size() == 0) last_ = driven;
   const DoubleLayer double_layer(surface, neighbourhood_, close);
   const auto apply = [&](const Eigen::VectorXd& u) -> Eigen::VectorXd {
     const Points all = orbits_.extend(u.reshaped(3, u.size() / 3));
     return u - (1 - options_.V) * double_layer.apply(all).reshaped();
   };
-  Eigen::VectorXd u = last_.reshaped();
-  const LinearSolution solution = solve_gmres(apply, driven.reshaped(), options_.tolerance, kMaxProducts, u);
-  last_ = u.reshaped(3, u.size() / 3);
-  FlowReport report{.iterations = solution.products, .error = solution.relative_error};
-  if (!(solution.relative_error <= options_.tolerance)) {
+  const Eigen::VectorXd right_side = driven.reshaped();
+  Eigen::VectorXd u = guess_.solution_of(right_side);
+  const LinearSolution solved =
+      solve_gmres(apply, right_side, kResidualShare * options_.tolerance, kMaxProducts, u);
+  u +=
+      inverse_for_short_waves(options_.V) * solved.residual;  // costs no product and lowers the error further
+  guess_.remember(right_side, u);
+  solution = u.reshaped(3, u.size() / 3);
+  FlowReport report{.iterations = solved.products, .error = solved.relative_error};
+  if (!(solved.relative_error <= options_.tolerance)) {
     report.converged = false;
     report.reason =
         "the boundary integral equation did not converge: raise tolerance, take V nearer to 1, or the fluid "
@@ -83,8 +94,8 @@ FlowReport StokesFlow::solve_integral_equation(const Surface& surface, const std
   return report;
 }
 
-void StokesFlow::save(StateArchive& archive) const { put_points(archive, "fluid/last", last_); }
+void StokesFlow::save(StateArchive& archive) const { guess_.save(archive); }
 
-void StokesFlow::load(const StateArchive& archive) { last_ = get_points(archive, "fluid/last"); }
+void StokesFlow::load(const StateArchive& archive) { guess_.load(archive); }
 
 }  // namespace capstan

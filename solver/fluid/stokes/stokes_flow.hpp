@@ -6,6 +6,7 @@
 // with f the force of the membrane on the fluid per area, V the ratio of inner to outer viscosity, n the
 // outward normal, and the Stokeslet G and stresslet T of point_sums.hpp.
 #include "solver/fluid/flow_model.hpp"
+#include "solver/fluid/stokes/initial_guess.hpp"
 #include "solver/fluid/stokes/neighbourhood.hpp"
 #include "solver/mesh/in_plane_symmetry.hpp"
 
@@ -28,14 +29,13 @@ class StokesFlow : public FlowModel {
 
  private:
   FlowReport solve_integral_equation(const Surface& surface, const std::vector<CloseFace>& close,
-                                     const Points& driven);
+                                     const Points& driven, Points& solution);
 
   TriangleMesh mesh_;
   Orbits orbits_;
   Neighbourhood neighbourhood_;
   StokesOptions options_;
-  Points last_;  ///< 3 x #representatives: the last solution, from which the next one starts; empty before
-                 ///< the first
+  InitialGuess guess_;
 };
 
 }  // namespace capstan

@@ -124,6 +124,15 @@ TEST(ParseCase, RefusesKeysWithoutEffectAndSaysWhy) {
               HasSubstr("no effect"));
 }
 
+TEST(ParseCase, UnsteadyFlowHasOneStepperAndOneScheme) {
+  const json base = {{"Ca", 0.1}, {"Re", 0.5}, {"fluid", "unsteady"}};
+  EXPECT_THAT(only_message(with(base, "/fidelity", {{"stepper", "rkc2"}})), HasSubstr("once a step"));
+  EXPECT_THAT(only_message(with(base, "/fidelity", {{"scheme", "paper"}})), HasSubstr("one scheme"));
+  const Case c = valid(with(base, "/fidelity", "paper"));
+  EXPECT_EQ(c.fidelity.stepper, Stepper::adams_bashforth);
+  EXPECT_EQ(c.fidelity.scheme, Scheme::tuned);
+}
+
 TEST(ParseCase, AKeyWithoutEffectIsOneIssueWhateverItsValue) {
   EXPECT_THAT(only_message({{"Ca", 0.1}, {"bending", "helfrich"}}), HasSubstr("no effect"));
   EXPECT_THAT(only_message({{"Ca", 0.1}, {"c0", "unifrom"}}), HasSubstr("no effect"));
@@ -219,9 +228,9 @@ TEST(ParseCase, ASettingThatOnlyALatticeHasAsksForALattice) {
     EXPECT_EQ(chosen_fluid({{"fidelity", fidelity}}), Fluid::quasisteady) << fidelity;
 }
 
-TEST(ParseCase, InertiaAsksForATransientFlow) {
-  EXPECT_EQ(chosen_fluid({{"Re", 0.11}}), Fluid::transient);
-  EXPECT_EQ(chosen_fluid({{"Re", 0.1}, {"fidelity", {{"box", 6.4}}}}), Fluid::transient);
+TEST(ParseCase, InertiaAsksForAnUnsteadyFlow) {
+  EXPECT_EQ(chosen_fluid({{"Re", 0.11}}), Fluid::unsteady);
+  EXPECT_EQ(chosen_fluid({{"Re", 0.1}, {"fidelity", {{"box", 6.4}}}}), Fluid::unsteady);
   EXPECT_EQ(valid({{"Ca", 0.1}, {"Re", 0.1}, {"fluid", "quasisteady"}}).fluid, Fluid::quasisteady);
 }
 
@@ -263,7 +272,7 @@ TEST(ParseCase, StokesFlowHasNeitherInertiaNorGrid) {
 
 TEST(ParseCase, StepperThatChoosesItsStepsTakesNone) {
   EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "stokes"}}).fidelity.stepper, Stepper::runge_kutta_chebyshev);
-  EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "quasisteady"}}).fidelity.stepper, Stepper::adams_bashforth);
+  EXPECT_EQ(valid({{"Ca", 0.3}, {"fluid", "quasisteady"}}).fidelity.stepper, Stepper::adams_bashforth);
   EXPECT_THAT(pointers_of_issues({{"Ca", 0.1}, {"fidelity", {{"stepper", "rkc2"}, {"kdt", 0.1}}}}),
               ElementsAre("/fidelity/kdt"));
 }
@@ -306,6 +315,7 @@ const json kManyCases[] = {
     {{"Ca", 1.0 / 3}, {"shape", "oblate"}, {"aspect", 0.9}},
     {{"Ca", 0.1}, {"Re", 0.25}},
     {{"Ca", 0.1}, {"fidelity", "paper"}},
+    {{"Ca", 0.1}, {"fluid", "unsteady"}, {"fidelity", "paper"}},
     {{"Ca", 0.1}, {"fluid", "transient"}, {"fidelity", {{"precision", "double"}}}},
     {{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", "fine"}},
     {{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", {{"stepper", "ab2"}}}},
@@ -344,6 +354,7 @@ TEST(CaseId, IsChangedByEveryParameter) {
                                                   {"/bending", "helfrich_literal"},
                                                   {"/c0", 0},
                                                   {"/fluid", "transient"},
+                                                  {"/fluid", "unsteady"},
                                                   {"/until/kt", 31},
                                                   {"/until/classified", true},
                                                   {"/fidelity/dx", 0.2},

@@ -19,7 +19,7 @@ std::vector<std::string> warnings_of(const std::string& keys) {
 }
 
 TEST(CaseWarnings, ThereAreNoneForThePresetsAsTheyAre) {
-  for (const char* fluid : {"stokes", "quasisteady", "transient"})
+  for (const char* fluid : {"stokes", "quasisteady", "unsteady", "transient"})
     for (const char* preset : {"fast", "standard"})
       EXPECT_THAT(warnings_of(std::string(R"("fluid": ")") + fluid + R"(", "fidelity": ")" + preset + "\""),
                   IsEmpty());
@@ -28,12 +28,12 @@ TEST(CaseWarnings, ThereAreNoneForThePresetsAsTheyAre) {
 
 TEST(CaseWarnings, AQuasisteadyFlowAtAReynoldsNumberThatIsNotSmallSaysWhichFluidToUse) {
   EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "Re": 0.2)"),
-              ElementsAre(AllOf(HasSubstr("Re = 0.2"), HasSubstr("\"fluid\": \"transient\""))));
+              ElementsAre(AllOf(HasSubstr("Re = 0.2"), HasSubstr("\"fluid\": \"unsteady\""))));
   EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "Re": 0.09)"), IsEmpty());
 }
 
 TEST(CaseWarnings, ALatticeFinerThanTheMeshSaysWhatToChange) {
-  for (const char* fluid : {"quasisteady", "transient"})
+  for (const char* fluid : {"quasisteady", "unsteady", "transient"})
     EXPECT_THAT(
         warnings_of(std::string(R"("fluid": ")") + fluid + R"(", "fidelity": {"dx": 0.05, "nodes": 642})"),
         ElementsAre(AllOf(HasSubstr("finer than the membrane's mesh"), HasSubstr("more nodes"),
@@ -44,13 +44,75 @@ TEST(CaseWarnings, ALatticeFinerThanTheMeshSaysWhatToChange) {
 }
 
 TEST(CaseWarnings, AViscousInsideOnACoarseLatticeSaysHowFarOffAndWhatToUse) {
-  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 10, "fidelity": "fast")"),
-              ElementsAre(AllOf(HasSubstr("V = 10"), HasSubstr("18 %"), HasSubstr("\"fluid\": \"stokes\""),
-                                HasSubstr("dx of at most 0.11"))));
-  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 100, "fidelity": "fast")"),
-              ElementsAre(AllOf(HasSubstr("V = 100"), HasSubstr("180 %"), Not(HasSubstr("dx of at most")))));
-  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 10, "fidelity": "standard")"), IsEmpty());
-  EXPECT_THAT(warnings_of(R"("fluid": "stokes", "V": 100, "fidelity": "fast")"), IsEmpty());
+  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 30, "fidelity": "fast")"),
+              ElementsAre(AllOf(HasSubstr("V = 30"), HasSubstr("26.6 %"), HasSubstr("\"fluid\": \"stokes\""),
+                                HasSubstr("dx of at most 0.075")),
+                          HasSubstr("outside 0.1 to 20")));
+  EXPECT_THAT(
+      warnings_of(R"("fluid": "quasisteady", "V": 100, "fidelity": "fast")"),
+      ElementsAre(AllOf(HasSubstr("V = 100"), HasSubstr("% too large"), Not(HasSubstr("dx of at most"))),
+                  HasSubstr("outside 0.1 to 20")));
+  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 10, "fidelity": "fast")"), IsEmpty());
+  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 10, "fidelity": {"preset": "paper", "dx": 0.2})"),
+              ElementsAre(HasSubstr("18 %")));
+  EXPECT_THAT(warnings_of(R"("fluid": "stokes", "V": 100, "fidelity": "fast")"),
+              ElementsAre(HasSubstr("outside 0.1 to 20")));
+}
+
+std::vector<std::string> warnings_at(double Ca, const std::string& keys) {
+  Case c = testing::parsed_case(R"({"Ca": 1, )" + keys + "}");
+  c.Ca = Ca;
+  return case_warnings(c);
+}
+
+TEST(CaseWarnings, ANarrowBoxSaysHowMuchItsWallsChange) {
+  const auto box = [](const std::string& size) {
+    return warnings_of(R"("fluid": "quasisteady", "fidelity": {"dx": 0.2, "nodes": 642, "box": )" + size +
+                       "}");
+  };
+  EXPECT_THAT(box("6.4"), ElementsAre(AllOf(HasSubstr("a box of 6.4 a"), HasSubstr("0.008 to 0.12"))));
+  EXPECT_THAT(box("12.8"), IsEmpty());
+  EXPECT_THAT(warnings_of(R"("fluid": "stokes")"), IsEmpty());
+}
+
+TEST(CaseWarnings, NumbersBeyondTheMeasuredOnesAreNamed) {
+  EXPECT_THAT(warnings_at(0.009, R"("E_b": 0.01)"),
+              ElementsAre(HasSubstr("Ca = 0.009 is outside 0.01 to 2")));
+  EXPECT_THAT(warnings_at(2.1, R"("E_b": 0.01, "V": 0.05)"),
+              ElementsAre(HasSubstr("Ca = 2.1 is outside 0.01 to 2 and V = 0.05 is outside 0.1 to 20")));
+  EXPECT_THAT(warnings_at(2, R"("E_b": 0.01, "V": 20)"), IsEmpty());
+}
+
+TEST(CaseWarnings, AThinInsideOnAFineLatticeNamesTheOtherModel) {
+  const auto is_unstable = ::testing::Contains(HasSubstr("likely to become unstable"));
+  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 0.03, "fidelity": "standard")"),
+              ::testing::Contains(
+                  AllOf(HasSubstr("V = 0.03"), HasSubstr("\"fluid\": \"stokes\""), HasSubstr("dx = 0.2"))));
+  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 0.05, "fidelity": "standard")"), Not(is_unstable));
+  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 0.01, "fidelity": "fast")"), Not(is_unstable));
+  EXPECT_THAT(warnings_of(R"("fluid": "stokes", "V": 0.01, "fidelity": "standard")"), Not(is_unstable));
+}
+
+std::vector<std::string> warnings_of_shape(const std::string& keys) {
+  return case_warnings(testing::parsed_case("{" + keys + "}"));
+}
+
+TEST(CaseWarnings, AMembraneThatWillWrinkleNamesABendingStiffness) {
+  const auto wrinkles = [](const char* E_b) {
+    return ElementsAre(AllOf(HasSubstr("wrinkles"), HasSubstr(E_b)));
+  };
+  EXPECT_THAT(warnings_of_shape(R"("shape": "biconcave", "Ca": 0.1)"), wrinkles("E_b = 0.005"));
+  EXPECT_THAT(warnings_of_shape(R"("shape": "oblate", "aspect": 0.5, "Ca": 0.1)"), wrinkles("E_b = 0.005"));
+  EXPECT_THAT(warnings_of_shape(R"("Ca": 0.0125)"), wrinkles("E_b = 0.0001"));
+  EXPECT_THAT(warnings_of_shape(R"("Ca": 0.0125, "E_b": 0.0001)"), IsEmpty());
+}
+
+TEST(CaseWarnings, AMembraneThatStaysSmoothIsNotSaidToWrinkle) {
+  for (const char* keys :
+       {R"("Ca": 0.1)", R"("Ca": 0.0125, "V": 10)", R"("Ca": 0.0125, "until": {"kt": 2})",
+        R"("shape": "biconcave", "Ca": 0.1, "V": 20)", R"("shape": "oblate", "aspect": 0.9, "Ca": 0.1)",
+        R"("shape": "prolate", "aspect": 1.5, "Ca": 0.5)"})
+    EXPECT_THAT(warnings_of_shape(keys), IsEmpty()) << keys;
 }
 
 }  // namespace

@@ -45,11 +45,13 @@ TEST(Limits, RunsOfTooManyStepsAreRefusedWithTheKeyToChange) {
 }
 
 TEST(Limits, ATransientFlowThatIsTooFastForItsLatticeOrItsMembraneIsRefused) {
-  EXPECT_THAT(issues_of(R"({"Ca": 0.1, "Re": 10, "fidelity": "fast"})"),
+  EXPECT_THAT(issues_of(R"({"Ca": 0.1, "fluid": "transient", "Re": 10, "fidelity": "fast"})"),
               issue_at("/Re", "lower Re, dx or box"));
-  EXPECT_THAT(issues_of(R"({"Ca": 0.0017, "law": "skalak", "C": 134, "Re": 3, "fidelity": "fast"})"),
-              issue_at("/Ca", "raise Ca"));
-  EXPECT_THAT(issues_of(R"({"Ca": 0.1, "Re": 3, "fidelity": "fast"})"), IsEmpty());
+  EXPECT_THAT(
+      issues_of(
+          R"({"Ca": 0.0017, "law": "skalak", "C": 134, "fluid": "transient", "Re": 3, "fidelity": "fast"})"),
+      issue_at("/Ca", "raise Ca"));
+  EXPECT_THAT(issues_of(R"({"Ca": 0.1, "fluid": "transient", "Re": 3, "fidelity": "fast"})"), IsEmpty());
 }
 
 TEST(Limits, RunsOfTooManyRecordsOrShapesAreRefused) {
@@ -105,7 +107,7 @@ TEST(Limits, AllThatAreExceededAreReportedAtOnce) {
 }
 
 TEST(Limits, ThePapersCasesAndTheLongestRunAtTheDefaultsAreWithinThem) {
-  for (const char* fluid : {"quasisteady", "transient", "stokes"})
+  for (const char* fluid : {"quasisteady", "unsteady", "transient", "stokes"})
     for (const char* fidelity : {"fast", "standard"})
       for (double Ca : {0.0125, 0.2, 1.0})
         EXPECT_THAT(parse_case({{"Ca", Ca}, {"fluid", fluid}, {"fidelity", fidelity}}).issues, IsEmpty())

@@ -13,7 +13,7 @@ double cost(const std::string& keys, double Ca = 0.25) {
 }
 
 TEST(RunCost, GrowsWithTheLengthOfTheRun) {
-  for (const char* fluid : {"quasisteady", "transient", "stokes"}) {
+  for (const char* fluid : {"quasisteady", "unsteady", "transient", "stokes"}) {
     const std::string of_fluid = std::string(R"(, "fluid": ")") + fluid + '"';
     EXPECT_NEAR(cost(of_fluid + R"(, "until": {"kt": 60})") / cost(of_fluid + R"(, "until": {"kt": 30})"), 2,
                 1e-12);

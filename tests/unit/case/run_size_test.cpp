@@ -30,5 +30,24 @@ TEST(RunSize, GrowsWithTheShapesThatAreAskedFor) {
   EXPECT_GT(with, without + 300 * 2562 * 72);
 }
 
+/// Peaks of real runs.
+TEST(RunMemory, IsThatOfRealRuns) {
+  const auto megabytes = [](const std::string& keys) {
+    return run_memory(testing::parsed_case("{\"Ca\": 0.1, \"V\": 4, " + keys + "}")) / 1e6;
+  };
+  EXPECT_NEAR(megabytes(R"("fluid": "stokes", "fidelity": "fast")"), 19, 4);
+  EXPECT_NEAR(megabytes(R"("fluid": "stokes", "fidelity": "fine")"), 36, 6);
+  EXPECT_NEAR(megabytes(R"("fluid": "unsteady", "fidelity": "fast")"), 30, 5);
+  EXPECT_NEAR(megabytes(R"("fluid": "quasisteady", "fidelity": "standard")"), 38, 7);
+  EXPECT_NEAR(megabytes(R"("fluid": "quasisteady", "fidelity": {"preset": "standard", "symmetry": "none"})"),
+              78, 12);
+  EXPECT_NEAR(
+      megabytes(R"("fluid": "quasisteady", "fidelity": {"preset": "standard", "precision": "double"})"), 47,
+      9);
+  EXPECT_NEAR(megabytes(R"("fluid": "transient", "fidelity": "fast")"), 93, 10);
+  EXPECT_NEAR(megabytes(R"("fluid": "transient", "fidelity": "standard")"), 538, 50);
+  EXPECT_NEAR(megabytes(R"("fluid": "quasisteady", "fidelity": {"preset": "paper", "dx": 0.2})"), 182, 20);
+}
+
 }  // namespace
 }  // namespace capstan

@@ -26,6 +26,13 @@ TEST(Progress, TextCountsTheCasesThatHaveEnded) {
             "[###############...............]  50 %  2 of 4 cases, 1 running");
 }
 
+TEST(Progress, TextSaysHowManyPointsASearchWillProbablyAskFor) {
+  ordered_json searching = study(2, 1, 1, 0.5);
+  searching["expected_points"] = 7;
+  EXPECT_EQ(progress_text(searching),
+            "[###############...............]  50 %  2 of 4 cases, 1 running, about 7 more expected");
+}
+
 TEST(Progress, LogHasOneLineForEachChangeAndNoEscapeCodes) {
   std::ostringstream out;
   ProgressLine line(out, false);

@@ -21,7 +21,7 @@ class Field {
       : grid_{.origin = Vec3::Constant(0.5 * dx - 1.6), .dx = dx} {
     const int n = int(std::lround(3.2 / dx));
     viscosity_.reset(box_from_zero({n, n, n}));
-    ViscosityField(grid_, mesh, Orbits::without_symmetry(mesh.vertex_count()))
+    ViscosityField(grid_, mesh, Orbits::without_symmetry(mesh.vertex_count()), kPaperHalfWidth)
         .update(positions, kAmbient, inner, viscosity_);
   }
 
@@ -59,7 +59,7 @@ TEST_P(BothSidesOfOne, SphereHasTheExactSmoothedJump) {
   const double dx = 0.1, jump = inner() - Field::kAmbient;
   double worst = 0;
   Field(sphere.directions, sphere.mesh, dx, inner()).for_each_cell([&](const Vec3& at, double nu) {
-    const double exact = inner() - jump * smoothed_heaviside((at.norm() - 1) / dx);
+    const double exact = inner() - jump * smoothed_heaviside((at.norm() - 1) / dx, kPaperHalfWidth);
     worst = std::max(worst, std::abs((nu - exact) / jump));
   });
   EXPECT_LT(worst, 0.005);
@@ -115,12 +115,12 @@ TEST(ViscosityField, SphereIsOverfilledByTheEffectOfSmoothingOnly) {
 }
 
 TEST(SmoothedHeaviside, RisesFromZeroToOneOverTwoCellsOnEitherSide) {
-  EXPECT_NEAR(smoothed_heaviside(-2), 0, 1e-15);
-  EXPECT_NEAR(smoothed_heaviside(-5), 0, 1e-15);
-  EXPECT_EQ(smoothed_heaviside(0), 0.5);
-  EXPECT_NEAR(smoothed_heaviside(2), 1, 1e-15);
-  EXPECT_NEAR(smoothed_heaviside(1) + smoothed_heaviside(-1), 1, 1e-15);
-  EXPECT_NEAR(smoothed_heaviside(1), 0.75 + 0.5 / std::numbers::pi, 1e-15);
+  EXPECT_NEAR(smoothed_heaviside(-2, kPaperHalfWidth), 0, 1e-15);
+  EXPECT_NEAR(smoothed_heaviside(-5, kPaperHalfWidth), 0, 1e-15);
+  EXPECT_EQ(smoothed_heaviside(0, kPaperHalfWidth), 0.5);
+  EXPECT_NEAR(smoothed_heaviside(2, kPaperHalfWidth), 1, 1e-15);
+  EXPECT_NEAR(smoothed_heaviside(1, kPaperHalfWidth) + smoothed_heaviside(-1, kPaperHalfWidth), 1, 1e-15);
+  EXPECT_NEAR(smoothed_heaviside(1, kPaperHalfWidth), 0.75 + 0.5 / std::numbers::pi, 1e-15);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST_F(DeleteStudyTest, RunningCaseOfADeletedStudyEndsBeforeItGoes) {
   const std::string id = submit(sample_study("one", {{"Ca", {0.25}}})).study_id;
   const Claim claim = queue_.claim().value();
   remove(id);
-  EXPECT_TRUE(queue_.is_to_be_cancelled(claim));
+  EXPECT_TRUE(queue_.to_be_cancelled().contains(claim.token));
   EXPECT_TRUE(delete_unwanted().empty());
   EXPECT_TRUE(queue_.end(claim, RunEnding::interrupted, "stopped"));
   EXPECT_EQ(delete_unwanted().size(), 1u);

@@ -27,7 +27,7 @@ class LocalExecutorTest : public testing::Test {
   RunHandle start(const std::string& script) {
     overwrite(program_, "#!/bin/sh\n" + script + "\n");
     std::filesystem::permissions(program_, std::filesystem::perms::owner_all);
-    return executor_.start(directory_);
+    return executor_.start(claim_, directory_);
   }
   /// Waits for the end of the process; does not reap it.
   static void wait_for(const RunHandle& run) {
@@ -43,7 +43,8 @@ class LocalExecutorTest : public testing::Test {
   TemporaryDirectory parent_;
   RunDirectory directory_{parent_.path() / "run"};
   std::filesystem::path program_ = parent_.path() / "program";
-  LocalExecutor executor_{program_};
+  Claim claim_{.case_id = "1", .document = "{}", .token = "token", .attempt = 1, .handle = ""};
+  LocalExecutor executor_{1, program_};
 };
 
 TEST_F(LocalExecutorTest, StartsSolveWithCaseAndDirectory) {
@@ -71,7 +72,7 @@ TEST_F(LocalExecutorTest, ReportsTheSignalThatKilledTheRun) {
 }
 
 TEST_F(LocalExecutorTest, ProgramThatCannotBeStartedIsAnError) {
-  EXPECT_THROW(executor_.start(directory_), std::system_error);
+  EXPECT_THROW(executor_.start(claim_, directory_), std::system_error);
   EXPECT_TRUE(executor_.wait_until_free(directory_));
 }
 
@@ -103,7 +104,7 @@ TEST_F(LocalExecutorTest, PassesNoDescriptorOnButTheLock) {
 TEST_F(LocalExecutorTest, RunHoldsTheLockOfItsDirectoryUntilItEnds) {
   const RunHandle run = start("exec sleep 600");
   EXPECT_FALSE(DirectoryLock(directory_).take());
-  EXPECT_THROW(executor_.start(directory_), std::system_error) << "a second run in the directory";
+  EXPECT_THROW(executor_.start(claim_, directory_), std::system_error) << "a second run in the directory";
   executor_.cancel(run, StopBy::kill);
   EXPECT_TRUE(executor_.wait_until_free(directory_));
   EXPECT_TRUE(DirectoryLock(directory_).take());
@@ -134,7 +135,7 @@ TEST_F(LocalExecutorTest, StopThatComesBeforeTheHandlersWaitsForThem) {
 
 TEST_F(LocalExecutorTest, SuccessorFindsAndEndsTheRunOfAnEarlierDaemon) {
   const RunHandle run = start("exec sleep 600");
-  LocalExecutor successor(program_);
+  LocalExecutor successor(1, program_);
   EXPECT_FALSE(successor.poll(run));
   successor.cancel(run, StopBy::kill);
   const auto end = successor.poll(run);

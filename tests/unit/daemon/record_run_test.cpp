@@ -27,14 +27,14 @@ TEST_F(ServiceTest, ProgressFollowsTheHistory) {
   const std::string id = submit({{"Ca", {0.25}}, {"E_b", {0.01}}, {"c0", {0, 1}}});
   write_history("run 1", "{\"kt\":15}\n");
   service_->tick();
-  const double first = run_cost(case_of("run 1")), second = run_cost(case_of("run 2"));
+  const double first = case_cost(case_of("run 1")), second = case_cost(case_of("run 2"));
   EXPECT_EQ(cases(id)[0]["progress"], 0.5);
   EXPECT_NEAR(study(id)["progress"], 0.5 * first / (first + second), 1e-6);
 }
 
 TEST_F(ServiceTest, ProgressWeighsCasesByWhatTheyCost) {
   const std::string id = submit({{"V", {1, 4}}, {"Ca", {0.25}}});
-  const double equal = run_cost(case_of("run 1")), unequal = run_cost(case_of("run 2"));
+  const double equal = case_cost(case_of("run 1")), unequal = case_cost(case_of("run 2"));
   ASSERT_LT(equal, 0.8 * unequal);  // no viscosity field at V = 1
   complete("run 1", "tumbling");
   service_->tick();

@@ -41,7 +41,7 @@ TEST_F(ServiceTest, RunKilledForNotStoppingIsNoCrash) {
 
 /// A process that has not installed its handlers yet is killed by the signal, or ends in another way.
 TEST_F(ServiceTest, RunThatWasAskedToStopIsInterruptedHoweverItEnds) {
-  for (const ProcessEnd end :
+  for (const ProcessEnd& end :
        {ProcessEnd{ProcessEnd::How::signalled, 15}, ProcessEnd{ProcessEnd::How::exited, 143},
         ProcessEnd{ProcessEnd::How::exited, 1}, ProcessEnd{ProcessEnd::How::exited, 0}}) {
     const std::string id = submit({{"Ca", {0.25}}});
@@ -176,8 +176,8 @@ TEST(RestlessClock, CostsNoRun) {
   const TemporaryDirectory directory;
   const DataDirectory data(directory.path());
   const RestlessClock clock;
-  FakeExecutor executor;
-  Service service(data, executor, clock, 4);
+  FakeExecutor executor(4);
+  Service service(data, executor, clock);
   service.submit(sample_study("study", {{"Ca", {0.1, 0.2, 0.3, 0.4}}}));
   for (int i = 0; i < 200; ++i) service.tick();
   EXPECT_THAT(executor.running, SizeIs(4));

@@ -68,14 +68,14 @@ TEST_F(ServiceTest, ReasonsOfAStudyAreCounted) {
   executor_.exit("run 2", 2);
   service_->pause(id, true);
   service_->tick();
-  const auto reasons = why_study(*service_->reader(), id).value()["reasons"];
+  const auto reasons = why_study(*service_->reader(), id, service_->places()).value()["reasons"];
   ASSERT_EQ(reasons.size(), 2u);
   EXPECT_EQ(reasons[0]["cases"], 2);
   EXPECT_EQ(reasons[0]["reason"], "queued; the study is paused: capstan resume " + id);
   EXPECT_EQ(reasons[1]["cases"], 2);
   EXPECT_EQ(reasons[1]["reason"],
             "failed: the solver refused the case (case " + std::string(cases(id)[0]["id"]) + ")");
-  EXPECT_FALSE(why_study(*service_->reader(), "nobody-0000"));
+  EXPECT_FALSE(why_study(*service_->reader(), "nobody-0000", service_->places()));
 }
 
 TEST_F(ServiceTest, FailedAndDivergedCasesAreReplacedByFinerOnes) {

@@ -42,7 +42,7 @@ TEST_F(SubmitStudyTest, CancelledStudyThatIsSubmittedAgainIsQueuedAgain) {
   const auto running = queue_.claim();
   queue_.cancel(id);
   submit(two_cases_);
-  EXPECT_FALSE(queue_.is_to_be_cancelled(*running));
+  EXPECT_FALSE(queue_.to_be_cancelled().contains(running->token));
   EXPECT_TRUE(queue_.claim());
 }
 

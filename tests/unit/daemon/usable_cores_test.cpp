@@ -26,6 +26,15 @@ TEST(UsableCores, AreThoseOfTheAffinityMask) {
   EXPECT_EQ(cores, 1);
 }
 
+TEST(UsableCores, AreAtMostThoseOfTheJobOfSlurm) {
+  setenv("SLURM_CPUS_ON_NODE", "1", 1);
+  EXPECT_EQ(usable_cores(), 1);
+  setenv("SLURM_CPUS_ON_NODE", "100000", 1);
+  const int without_limit = usable_cores();
+  unsetenv("SLURM_CPUS_ON_NODE");
+  EXPECT_EQ(usable_cores(), without_limit);
+}
+
 class Quota : public testing::Test {
  protected:
   void limit(const std::string& group, const std::string& text) {

@@ -51,6 +51,19 @@ TEST_P(InPlane, ForcesAreTheNegativeGradientOfTheEnergy) {
   EXPECT_LT(relative_error(negative_gradient(energy, x), capsule.forces(x)), 1e-7);
 }
 
+TEST_P(InPlane, StretchAtTheVerticesOfAHomogeneousDeformationIsThatOfTheFaces) {
+  const Points x = Vec3(2, 2, 2).asDiagonal() * capsule.sphere.directions;
+  EXPECT_LT((capsule.elasticity.vertex_stretches(x).array() - 2).abs().maxCoeff(), 1e-12);
+}
+
+TEST_P(InPlane, StretchAtAVertexLiesBetweenThoseOfItsFaces) {
+  const Points x = deformed();
+  const Principal of_faces = capsule.elasticity.stretches(x);
+  const Scalars at_vertices = capsule.elasticity.vertex_stretches(x);
+  EXPECT_LE(at_vertices.maxCoeff(), of_faces.col(0).maxCoeff());
+  EXPECT_GE(at_vertices.minCoeff(), of_faces.col(0).minCoeff());
+}
+
 TEST_P(InPlane, ForcesVanishAtRestHoweverItIsTurnedAndMoved) {
   const Points moved = (some_rotation() * capsule.sphere.directions).colwise() + Vec3(3, -1, 2);
   EXPECT_LT(capsule.forces(moved).cwiseAbs().maxCoeff(), 1e-13);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -33,6 +34,19 @@ std::set<Corners> face_set(const Faces& faces, const std::vector<int>& renamed) 
 TEST(Icosphere, HasTenTimesFourToTheNPlusTwoVertices) {
   for (int n = 0, expected = 12; n <= 4; ++n, expected = 4 * expected - 6)
     EXPECT_EQ(make_icosphere(n).mesh.vertex_count(), expected);
+}
+
+TEST(Icosphere, WithEachNumberOfNodesHasThatNumberAndExactReflections) {
+  for (const int nodes : {12, 42, 92, 162, 362, 642, 1442}) {
+    const Icosphere sphere = icosphere_with(nodes);
+    ASSERT_EQ(sphere.mesh.vertex_count(), nodes);
+    std::vector<int> same(nodes);
+    std::iota(same.begin(), same.end(), 0);
+    for (const Vec3& signs : {Vec3(-1, 1, 1), Vec3(1, -1, 1), Vec3(1, 1, -1)}) {
+      const std::vector<int> image = images(sphere.directions, signs);
+      EXPECT_EQ(face_set(sphere.mesh.faces, image), face_set(sphere.mesh.faces, same)) << nodes << " nodes";
+    }
+  }
 }
 
 TEST(Icosphere, IsAClosedSphereByEulersFormula) {

@@ -21,6 +21,16 @@ TEST(SurfaceQuality, OfAnIcosahedronIsExact) {
   EXPECT_NEAR(quality.largest_dihedral, 180 - std::acos(-std::sqrt(5.) / 3) * 180 / std::numbers::pi, 1e-6);
   EXPECT_NEAR(quality.smallest_angle, 60, 1e-6);
   EXPECT_EQ(quality.folded_edges, 0);
+  EXPECT_NEAR(quality.longest_edge, 4 / std::sqrt(10 + 2 * std::sqrt(5.)), 1e-6);  // of circumradius 1
+}
+
+TEST(SurfaceQuality, ADrawnOutMeshShowsLongerWavesOnly) {
+  const Icosphere sphere = make_icosphere(3);
+  const Points drawn_out = Vec3(3, 1, 1).asDiagonal() * sphere.directions;
+  const double round = smallest_wavelength(quality_of(sphere, sphere.directions));
+  EXPECT_GT(round, 0.25);
+  EXPECT_LT(round, 0.35);
+  EXPECT_NEAR(smallest_wavelength(quality_of(sphere, drawn_out)) / round, 3, 0.3);
 }
 
 TEST(SurfaceQuality, DihedralAngleOfASphereHalvesWithTheEdges) {
@@ -60,8 +70,8 @@ TEST(SurfaceQuality, DoesNotDependOnSizeAndPlace) {
 }
 
 TEST(SurfaceQuality, WorstOfTwoTakesTheWorseOfEach) {
-  const SurfaceQuality worst = worst_of({20, 0.1, 50}, {70, 0, 30});
-  EXPECT_EQ(worst, (SurfaceQuality{70, 0.1, 30}));
+  const SurfaceQuality worst = worst_of({20, 0.1, 50, 0.4}, {70, 0, 30, 0.2});
+  EXPECT_EQ(worst, (SurfaceQuality{70, 0.1, 30, 0.4}));
 }
 
 }  // namespace

@@ -171,7 +171,7 @@ TEST(Classify, AfterThreeHalfTurnsOfOneKindASmallDMinDoesNotCount) {
   };
   EXPECT_EQ(nearly_round(3 + 23.5).motion, Motion::transition);
   EXPECT_EQ(nearly_round(3 + 24.5).motion, Motion::tank_treading);
-  EXPECT_NEAR(nearly_round(60).evidence.margin, 0.01 / 0.06, 0.01);
+  EXPECT_NEAR(nearly_round(60).evidence.margin, 0.01, 0.001);
   EXPECT_FALSE(nearly_round(60).certain);
 }
 
@@ -179,7 +179,7 @@ TEST(Classify, EqualRotationOfShapeAndMembraneIsATransition) {
   const Verdict verdict = classify(samples(30, [](double kt) { return State{0.4, -0.2 * kt, -0.2 * kt}; }));
   EXPECT_EQ(verdict.motion, Motion::transition);
   EXPECT_NEAR(verdict.evidence.r, 0.5, 1e-12);
-  EXPECT_NEAR(verdict.evidence.margin, 1, 1e-9);
+  EXPECT_NEAR(verdict.evidence.margin, 0.4, 1e-3);
 }
 
 TEST(Classify, LessThanOneHalfTurnIsUndecided) {
@@ -229,7 +229,7 @@ TEST(Classify, ASteadyShapeIsCertainBeforeItsFirstHalfTurn) {
   EXPECT_TRUE(steady(8).steady);
   EXPECT_TRUE(steady(8).certain);
   EXPECT_EQ(steady(8).motion, Motion::tank_treading);
-  EXPECT_NEAR(steady(8).evidence.margin, 1, 0.02);
+  EXPECT_NEAR(steady(8).evidence.margin, 0.27, 0.001);
 }
 
 TEST(Classify, AConstantShapeWithAMembraneAtRestIsNotSteady) {
@@ -242,35 +242,53 @@ double margin(double end, const std::function<State(double)>& at) {
   return classify(samples(end, at)).evidence.margin;
 }
 
-TEST(Margin, OfTumblingAndTankTreadingIsTheDistanceToTheNearerThreshold) {
+/// With shares of the shape near the threshold, the error that turns theta over the run by what is missing.
+TEST(Margin, OfTumblingAndTankTreadingIsTheErrorThatReachesTheNearerThreshold) {
   const auto after_two_half_turns = [](double D_xy, double share) {
     return margin(17, [=](double kt) {
-      const double swing = 0.02 * std::sin(kt);  // so that it is not steady
+      const double swing = 0.02 * std::cos(pi * (kt - 3));  // so that it is not steady
       return State{D_xy + swing, -share * kt / 2, -(1 - share) * kt / 2};
     });
   };
-  EXPECT_NEAR(after_two_half_turns(0.5, 0.1), 0.15 / 0.25, 1e-9);
-  EXPECT_NEAR(after_two_half_turns(0.5, 0.95), 0.2 / 0.25, 1e-9);
-  EXPECT_NEAR(classify(approaching({0.08}, 20)).evidence.margin, 0.02 / 0.06, 0.01);
+  const double half_turns = 14 / (2 * pi), D_min = 0.48;
+  EXPECT_NEAR(after_two_half_turns(0.5, 0.2), D_min * std::sin(pi * half_turns * 0.05), 1e-4);
+  EXPECT_NEAR(after_two_half_turns(0.5, 0.77), D_min * std::sin(pi * half_turns * 0.02), 1e-4);
+  EXPECT_NEAR(classify(approaching({0.08}, 20)).evidence.margin, 0.02, 0.001);
+}
+
+/// A motion whose Q is moved by less than the margin keeps its label; one whose Q is moved by more in the
+/// direction of the nearest other label does not.
+TEST(Margin, IsTheErrorOfQThatTheLabelTolerates) {
+  const auto tank_treading = [](double offset) {  // Q is moved by -offset along x
+    return classify(samples(20, [=](double kt) {
+      const double turned = pi * std::max(kt - 3, 0.) / 8, D = 0.1 + 0.3 * std::pow(std::cos(turned), 2);
+      return State{D - offset, 0, -turned};
+    }));
+  };
+  const Verdict exact = tank_treading(0);
+  EXPECT_EQ(exact.motion, Motion::tank_treading);
+  EXPECT_EQ(tank_treading(0.95 * exact.evidence.margin).motion, Motion::tank_treading);
+  EXPECT_EQ(tank_treading(1.05 * exact.evidence.margin).motion, Motion::transition);
 }
 
 TEST(Margin, OfATransitionIsSmallNearTheThresholdOfItsReason) {
   const auto of_share = [](double share) {
     return margin(30, [=](double kt) { return State{0.4, -share * kt / 2, -(1 - share) * kt / 2}; });
   };
-  EXPECT_NEAR(of_share(0.5), 1, 1e-9);
-  EXPECT_NEAR(of_share(0.3), 0.05 / 0.25, 1e-9);
-  EXPECT_NEAR(of_share(0.74), 0.01 / 0.25, 1e-9);
+  const double half_turns = 27 / (2 * pi);
+  EXPECT_NEAR(of_share(0.5), 0.4, 1e-3);
+  EXPECT_NEAR(of_share(0.26), 0.4 * std::sin(pi * half_turns * 0.01), 1e-4);
+  EXPECT_NEAR(of_share(0.74), 0.4 * std::sin(pi * half_turns * 0.01), 1e-4);
 }
 
 TEST(Margin, OfATransitionIsSmallBeforeTheMotionSettles) {
-  EXPECT_LE(classify(flips_then_tank_treading(1, 9 + 13)).evidence.margin, 0.34);
+  EXPECT_LE(classify(flips_then_tank_treading(1, 9 + 13)).evidence.margin, 0.15);
   const Verdict near_round = classify(approaching({0.03}, 20));
   EXPECT_EQ(near_round.motion, Motion::transition);
-  EXPECT_LE(near_round.evidence.margin, 0.34);
+  EXPECT_LE(near_round.evidence.margin, 0.011);
 }
 
-TEST(Margin, IsBetweenZeroAndOne) {
+TEST(Margin, IsBetweenZeroAndTheDeformation) {
   for (double end : {2.0, 10.0, 20.0, 45.0, 80.0})
     for (const MotionSamples& motion :
          {flips_then_tank_treading(2, end), approaching({0.01}, end),

@@ -6,8 +6,8 @@ namespace capstan {
 namespace {
 
 TEST(Motion, IsReadBackFromItsWord) {
-  for (const Motion motion : kMotions) EXPECT_EQ(parse_motion(to_string(motion)), motion);
-  EXPECT_FALSE(parse_motion("swinging"));
+  for (const auto& [motion, word] : kWords<Motion>) EXPECT_EQ(parse_word<Motion>(to_string(motion)), motion);
+  EXPECT_FALSE(parse_word<Motion>("swinging"));
 }
 
 }  // namespace

@@ -86,12 +86,13 @@ TEST(RecordedMotions, ARedCellWithALargeDMinIsCertain) {
 }
 
 TEST(RecordedMotions, RunsNearAThresholdHaveASmallMargin) {
-  EXPECT_LT(verdict_at(recorded("biconcave_V2_Ca0.2"), 30).evidence.margin, 0.1);  // D_min .058
-  EXPECT_LT(verdict_at(recorded("biconcave_V6_Ca0.9"), 24).evidence.margin, 0.1);  // tumbles, then D_min .011
-  EXPECT_LT(verdict_at(recorded("biconcave_V6_Ca0.9"), 90).evidence.margin, 0.1);  // after both kinds
+  EXPECT_LT(verdict_at(recorded("biconcave_V2_Ca0.2"), 30).evidence.margin, 0.01);  // D_min .058
+  EXPECT_LT(verdict_at(recorded("biconcave_V6_Ca0.9"), 24).evidence.margin,
+            0.05);  // tumbles, then D_min .011
+  EXPECT_LT(verdict_at(recorded("biconcave_V6_Ca0.9"), 90).evidence.margin, 0.05);  // after both kinds
   EXPECT_LT(verdict_at(recorded("sphere_V100_Ca0.4"), 16).evidence.margin,
-            0.34);  // only one half-turn: not settled
-  EXPECT_GT(verdict_at(recorded("biconcave_V4_Ca0.25"), 30).evidence.margin, 0.8);
+            0.05);  // only one half-turn: not settled
+  EXPECT_GT(verdict_at(recorded("biconcave_V4_Ca0.25"), 30).evidence.margin, 0.06);
 }
 
 TEST(RecordedMotions, ASteadySphereIsSteadyAndItsExplanationSaysSo) {

@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 
+#include "solver/run_directory/durable_file.hpp"
 #include "solver/run_directory/history_line.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/memory_output.hpp"
@@ -67,7 +68,9 @@ class RunFiles : public ::testing::Test {
     recorder.resume(simulation, [](const std::string&) {});
     const double began = simulation.kt();
     try {
-      recorder.finish(simulation, simulation.run(recorder));
+      const Outcome outcome = simulation.run(recorder);
+      const nlohmann::ordered_json result = recorder.finish(simulation, outcome);
+      if (outcome.stop != Stop::interrupted) write_durably(directory_.path() / "result.json", result.dump());
     } catch (const Killed&) {
     }
     return began;
@@ -148,7 +151,8 @@ TEST_F(RunFiles, IndexOfManyShapesIsWrittenSeldomAndAtTheEnd) {
       directory_.path(), c, [] { return false; }, clock, 1e9);
   Simulation simulation(c);
   recorder.resume(simulation, [](const std::string&) {});
-  recorder.finish(simulation, simulation.run(recorder));
+  const Outcome outcome = simulation.run(recorder);
+  recorder.finish(simulation, outcome);
   EXPECT_THAT(recorder.indices_written(), AllOf(Ge(2u), Le(20u)));
   EXPECT_THAT(times_in_index(), SizeIs(201));
 }

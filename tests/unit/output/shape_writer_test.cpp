@@ -6,7 +6,8 @@
 #include <regex>
 
 #include "solver/mesh/icosphere.hpp"
-#include "solver/output/hdf5_file.hpp"
+#include "solver/run_directory/hdf5_file.hpp"
+#include "solver/strain_laws/strain_laws.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -14,13 +15,16 @@ namespace capstan {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::DoubleNear;
+using testing::Each;
 using testing::ElementsAre;
+using testing::SizeIs;
 
 class Shapes : public testing::Test {
  protected:
   /// Writes frames as one process: spheres of radius 1 + kt, kt = 0.1 frame.
   void write_frames(int first, int last) {
-    ShapeWriter writer(directory_.path(), sphere_.mesh.faces);
+    ShapeWriter writer(directory_.path(), sphere_.mesh.faces, membrane_);
     for (int frame = first; frame <= last; ++frame) {
       const double kt = 0.1 * frame;
       writer.write(kt, frame, (1 + kt) * sphere_.directions, sphere_.directions, -sphere_.directions);
@@ -43,6 +47,7 @@ class Shapes : public testing::Test {
 
   TemporaryDirectory directory_;
   Icosphere sphere_ = make_icosphere(1);
+  InPlaneElasticity membrane_{sphere_.mesh.faces, sphere_.directions, *find_strain_law("skalak"), {1}, 1};
 };
 
 TEST_F(Shapes, AreReadBackAsOneRowOfThreeNumbersForEachVertex) {
@@ -54,6 +59,13 @@ TEST_F(Shapes, AreReadBackAsOneRowOfThreeNumbersForEachVertex) {
   EXPECT_EQ(Eigen::Map<const Points>(faces.data(), 3, 80).cast<int>(), sphere_.mesh.faces);
 }
 
+TEST_F(Shapes, HoldTheStretchAtEachVertex) {
+  write_frames(5, 5);
+  const auto stretches = Hdf5Reader(directory_.path() / "shapes/0005.h5").read("stretches");
+  ASSERT_THAT(stretches, SizeIs(42));
+  EXPECT_THAT(stretches, Each(DoubleNear(1.5, 1e-12)));
+}
+
 TEST_F(Shapes, AreListedWithTheirTimesInShortestDecimals) {
   write_frames(0, 4);
   EXPECT_THAT(times_in_index(), ElementsAre("0", "0.1", "0.2", "0.30000000000000004", "0.4"));
@@ -62,7 +74,7 @@ TEST_F(Shapes, AreListedWithTheirTimesInShortestDecimals) {
 TEST_F(Shapes, AreListedOnlyIfTheirFilesAreThere) {
   write_frames(0, 3);
   const auto files = all_in_index(">([^<:]*\\.h5):/");
-  EXPECT_EQ(files.size(), 4u * 4);
+  EXPECT_EQ(files.size(), 5u * 4);
   for (const std::string& file : files) EXPECT_TRUE(fs::exists(directory_.path() / file)) << file;
 }
 

@@ -53,6 +53,18 @@ TEST(PhaseDiagram, HasTheFirstAxisAcrossAndTheSecondUpwardsInAscendingOrder) {
   EXPECT_EQ(diagram->rows[0][1].state, "failed");
 }
 
+TEST(PhaseDiagram, ACellIsConfirmedIfTheMotionsOfAllItsPointsAre) {
+  std::vector<PointMotion> points = kPoints;
+  points[1].is_confirmed = true;
+  points.push_back(points[1]);
+  EXPECT_TRUE(phase_diagram(kStudy, points).value->rows[1][0].is_confirmed);
+  EXPECT_FALSE(phase_diagram(kStudy, points).value->rows[0][0].is_confirmed);
+  points.back().is_confirmed = false;
+  const PhaseDiagram diagram = phase_diagram(kStudy, points).value.value();
+  EXPECT_FALSE(diagram.rows[1][0].is_confirmed);
+  EXPECT_FALSE(phase_diagram_from_json(to_json(diagram)).rows[1][0].is_confirmed);
+}
+
 TEST(PhaseDiagram, AxesMayBeChosen) {
   const auto diagram = phase_diagram(kStudy, kPoints, {"V", "Ca", {}}).value;
   ASSERT_TRUE(diagram);

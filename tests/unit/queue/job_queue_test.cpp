@@ -125,10 +125,10 @@ TEST_F(JobQueueTest, SecondCrashFailsTheCaseAndKeepsTheReason) {
 TEST_F(JobQueueTest, CancellationTakesQueuedCasesAtOnceAndIsRequestedForRunningOnes) {
   const std::string id = submit(two_cases_).study_id;
   const auto running = queue_.claim();
-  EXPECT_FALSE(queue_.is_to_be_cancelled(*running));
+  EXPECT_FALSE(queue_.to_be_cancelled().contains(running->token));
   EXPECT_TRUE(queue_.cancel(id));
   EXPECT_FALSE(queue_.claim());
-  EXPECT_TRUE(queue_.is_to_be_cancelled(*running));
+  EXPECT_TRUE(queue_.to_be_cancelled().contains(running->token));
   EXPECT_TRUE(queue_.end(*running, RunEnding::interrupted, "asked to"));
   EXPECT_EQ(state_of(running->case_id), "cancelled");
   EXPECT_EQ(last_ending_of(running->case_id), "interrupted");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "solver/run_directory/durable_file.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace capstan {
@@ -40,20 +41,44 @@ class HistoryTest : public testing::Test {
 };
 
 TEST_F(HistoryTest, RecordsComeOnceAsTheyAreAppended) {
-  EXPECT_TRUE(tail_.read_new().empty());
+  EXPECT_TRUE(tail_.read_new().records.empty());
   append("{\"kt\":0.1,\"D_xy\":0.5}\n{\"kt\":0.2}\n");
-  const auto first = tail_.read_new();
+  const auto first = tail_.read_new().records;
   ASSERT_EQ(first.size(), 2u);
   EXPECT_EQ(first[0]["D_xy"], 0.5);
-  EXPECT_TRUE(tail_.read_new().empty());
+  EXPECT_TRUE(tail_.read_new().records.empty());
   append("{\"kt\":0.3}\n");
-  EXPECT_EQ(tail_.read_new().at(0)["kt"], 0.3);
-  EXPECT_EQ(tail_.size(), 3u);
+  EXPECT_EQ(tail_.read_new().records.at(0)["kt"], 0.3);
+}
+
+TEST_F(HistoryTest, AReplacedFileBeginsAnew) {
+  append("{\"kt\":0.1}\n{\"kt\":0.2}\n");
+  EXPECT_TRUE(tail_.read_new().begin_anew);
+  append("{\"kt\":0.3}\n");
+  const HistoryTail::News appended = tail_.read_new();
+  EXPECT_FALSE(appended.begin_anew);
+  EXPECT_EQ(appended.first, 2u);
+  write_atomically(file_, "{\"kt\":0.15}\n{\"kt\":0.25}\n{\"kt\":0.35}\n{\"kt\":0.45}\n");
+  const HistoryTail::News replaced = tail_.read_new();
+  EXPECT_TRUE(replaced.begin_anew);
+  EXPECT_EQ(replaced.first, 0u);
+  ASSERT_EQ(replaced.records.size(), 4u);
+  EXPECT_EQ(replaced.records[0]["kt"], 0.15);
+}
+
+TEST_F(HistoryTest, AFileBehindALinkIsFollowedToTheNextOne) {
+  std::ofstream(directory_.path() / "coarse") << "{\"kt\":0.1}\n{\"kt\":0.2}\n";
+  std::ofstream(directory_.path() / "fine") << "{\"kt\":0.1}\n";
+  std::filesystem::create_symlink("coarse", file_);
+  EXPECT_EQ(tail_.read_new().records.size(), 2u);
+  std::filesystem::remove(file_);
+  std::filesystem::create_symlink("fine", file_);
+  EXPECT_EQ(tail_.read_new().records.size(), 1u);
 }
 
 TEST_F(HistoryTest, WhatIsNoNumberIsNaN) {
   append("{\"kt\":1,\"theta\":null,\"psi\":\"x\"}\n");
-  const Record record = tail_.read_new().at(0);
+  const Record record = tail_.read_new().records.at(0);
   EXPECT_TRUE(std::isnan(record["D_xy"]) && std::isnan(record["theta"]) && std::isnan(record["psi"]));
 }
 
@@ -62,15 +87,15 @@ TEST_F(HistoryTest, FileCutAtAnyByteGivesItsWholeLines) {
   const std::string text = line + line + line;
   for (std::size_t length = 0; length <= text.size(); ++length) {
     std::ofstream(file_) << text.substr(0, length);
-    EXPECT_EQ(HistoryTail(file_).read_new().size(), length / line.size()) << length;
+    EXPECT_EQ(HistoryTail(file_).read_new().records.size(), length / line.size()) << length;
   }
 }
 
 TEST_F(HistoryTest, LineThatIsFinishedLaterIsReadThen) {
   append("{\"kt\":0.1}\n{\"kt\"");
-  EXPECT_EQ(tail_.read_new().size(), 1u);
+  EXPECT_EQ(tail_.read_new().records.size(), 1u);
   append(":0.2}\n");
-  EXPECT_EQ(tail_.read_new().at(0)["kt"], 0.2);
+  EXPECT_EQ(tail_.read_new().records.at(0)["kt"], 0.2);
 }
 
 TEST_F(HistoryTest, StoredRecordsReplaceWhatStoodThere) {

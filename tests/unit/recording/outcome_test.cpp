@@ -94,7 +94,7 @@ TEST(OldRunDirectory, CompleteOneIsRecorded) {
   EXPECT_EQ(outcome.ending, RunEnding::done);
   EXPECT_EQ((*outcome.result)["motion"], "undecided");
   HistoryTail history(source_directory() / "tests/reference/run_directory_1/history.jsonl");
-  EXPECT_EQ(history.read_new().size(), 11u);
+  EXPECT_EQ(history.read_new().records.size(), 11u);
 }
 
 TEST_F(OutcomeTest, LongLogIsCutToItsLastLines) {

@@ -32,6 +32,18 @@ TEST(PhaseDiagramText, HasYUpwardsAndALegendOfTheMarksThatOccur) {
             " .    queued\n");
 }
 
+TEST(PhaseDiagramText, LeavesOutColumnsThatFewRowsHaveAndCountsTheirPoints) {
+  PhaseDiagram sparse = diagram();
+  sparse.x.values.insert(sparse.x.values.begin() + 1, 0.3);
+  sparse.y.values.push_back(6);
+  sparse.rows.push_back(sparse.rows[1]);
+  for (auto& row : sparse.rows) row.insert(row.begin() + 1, PhaseCell{});
+  sparse.rows[0][1] = {"tank_treading", "done", {"e"}};
+  const std::string text = phase_diagram_text(sparse, false);
+  EXPECT_THAT(text, Not(HasSubstr("0.3")));
+  EXPECT_THAT(text, HasSubstr("Points at other values, which capstan results lists: 1\n"));
+}
+
 TEST(PhaseDiagramText, NamesTheValuesOfTheAxesThatAreNotDrawn) {
   PhaseDiagram section = diagram();
   section.at["E_b"] = 0.01;
@@ -43,6 +55,14 @@ TEST(PhaseDiagramText, NamesBothReasonsForAnUndecidedLabel) {
   undecided.rows[0][0].motion = "undecided";
   EXPECT_THAT(phase_diagram_text(undecided, false),
               HasSubstr("undecided: the run was too short, or its surface was lost\n"));
+}
+
+TEST(PhaseDiagramText, HasUnconfirmedMotionsInSmallLettersAndSaysWhatTheyMean) {
+  PhaseDiagram doubtful = diagram();
+  EXPECT_THAT(phase_diagram_text(doubtful, false), Not(HasSubstr("not confirmed")));
+  doubtful.rows[0][0].is_confirmed = false;
+  EXPECT_THAT(phase_diagram_text(doubtful, false), HasSubstr(" 2 |  tt    !\n"));
+  EXPECT_THAT(phase_diagram_text(doubtful, false), HasSubstr("In small letters: not confirmed."));
 }
 
 TEST(PhaseDiagramText, HasEscapeCodesOnlyInColour) {

@@ -148,8 +148,9 @@ TEST(SummaryTable, ShowsTheRequestedAxesAndOtherColumnsThatVary) {
   EXPECT_EQ(cell(table, 1, "Ca"), "no such column") << "it does not vary";
   const Table plain_table =
       summary_table(study_over({"Ca"}), {point(1, R"({"Ca": 0.1})"), point(2, R"({"Ca": 0.2})")});
-  EXPECT_EQ(plain_table.columns, (std::vector<std::string>{"point", "case", "Ca", "state", "motion", "kt",
-                                                           "D_xy", "θ/π", "margin", "message"}));
+  EXPECT_EQ(plain_table.columns,
+            (std::vector<std::string>{"point", "case", "Ca", "state", "motion", "kt", "D_xy", "θ/π", "margin",
+                                      "error", "confirmed", "message"}));
 }
 
 TEST(SummaryTable, ShowsValuesOfAnAxisWithAllTheirDigits) {

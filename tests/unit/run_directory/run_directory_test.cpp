@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/temporary_directory.hpp"

@@ -8,12 +8,13 @@ namespace capstan {
 namespace {
 
 TEST(RunEnding, IsReadBackFromItsWord) {
-  for (const RunEnding ending : kRunEndings) EXPECT_EQ(parse_run_ending(to_string(ending)), ending);
-  EXPECT_FALSE(parse_run_ending("running"));
+  for (const auto& [ending, word] : kWords<RunEnding>)
+    EXPECT_EQ(parse_word<RunEnding>(to_string(ending)), ending);
+  EXPECT_FALSE(parse_word<RunEnding>("running"));
 }
 
 TEST(RunEnding, IsReadBackFromTheExitCodeOfSolve) {
-  for (const RunEnding ending : kRunEndings) EXPECT_EQ(run_ending_of(exit_code_of(ending)), ending);
+  for (const auto& [ending, word] : kWords<RunEnding>) EXPECT_EQ(run_ending_of(exit_code_of(ending)), ending);
 }
 
 TEST(RunEnding, IsACrashAfterAnyOtherExitCode) {

@@ -39,6 +39,7 @@ const std::vector<json> kBases = {
     json::parse(R"({"Ca": 0.1, "fluid": "quasisteady", "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 42}})"),
     json::parse(
         R"({"Ca": 0.1, "fluid": "quasisteady", "fidelity": {"scheme": "paper", "dx": 0.4, "box": 6.4, "nodes": 42}})"),
+    json::parse(R"({"Ca": 0.1, "fluid": "unsteady", "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 42}})"),
     json::parse(R"({"Ca": 0.1, "fluid": "transient", "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 42}})")};
 
 /// A case in which the key has an effect.

@@ -82,9 +82,11 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Model{"StokesRkc2", R"("fluid": "stokes", "fidelity": {"nodes": 162})"},
         Model{"StokesAb2", R"("fluid": "stokes", "fidelity": {"nodes": 162, "stepper": "ab2", "kdt": 0.02})"},
-        Model{"LatticeAb2", R"("fluid": "quasisteady", "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08})"},
+        Model{"LatticeAb2", R"("fluid": "quasisteady", "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.03})"},
         Model{"LatticeRkc2",
               R"("fluid": "quasisteady", "fidelity": {"dx": 0.4, "nodes": 162, "stepper": "rkc2"})"},
+        Model{"Unsteady",
+              R"("fluid": "unsteady", "Re": 1, "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.03})"},
         Model{"Transient", R"("fluid": "transient", "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162})"},
         Model{"Paper", R"("fluid": "quasisteady",
                          "fidelity": {"preset": "paper", "dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.04})"}),

@@ -28,9 +28,9 @@ TEST(Remedy, ForAFailedMotionWithAb2IsTheOtherStepperOrAShorterStep) {
   EXPECT_EQ(remedy(c, kFolded, true), remedy(c, kSmooth, true));  // the folds are a consequence of the step
 }
 
-TEST(Remedy, ForAQuasisteadyFlowWithInertiaIsTheTransientFlow) {
+TEST(Remedy, ForAQuasisteadyFlowWithInertiaIsTheUnsteadyFlow) {
   EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.1, "Re": 1, "fluid": "quasisteady"})"), kFolded, true),
-              HasSubstr("take the fluid transient"));
+              HasSubstr("take the fluid unsteady"));
 }
 
 TEST(Remedy, ForFoldsIsBendingStiffness) {
@@ -47,14 +47,34 @@ TEST(Remedy, ForCollapsedTrianglesIsResistanceToCompression) {
 }
 
 TEST(Remedy, ForTheTransientFlowIsASofterMembrane) {
-  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.1, "Re": 5})"), kSmooth, true), HasSubstr("raise Ca"));
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.1, "Re": 5, "fluid": "transient"})"), kSmooth, true),
+              HasSubstr("raise Ca"));
+}
+
+TEST(Remedy, ForTheUnsteadyFlowIsAShorterStepAndNotRkc2) {
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.1, "Re": 5, "fluid": "unsteady"})"), kSmooth, true),
+              AllOf(HasSubstr("take a kdt of"), Not(HasSubstr("rkc2"))));
 }
 
 TEST(Remedy, ForALowInnerViscosityInStokesFlowIsALatticeOrMoreViscosity) {
-  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 4, "V": 0.01, "fluid": "stokes"})"), kSmooth, true),
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 1, "V": 0.01, "fluid": "stokes"})"), kSmooth, true),
               AllOf(HasSubstr("take the fluid quasisteady"), HasSubstr("raise V")));
-  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 4, "V": 1, "fluid": "stokes"})"), kSmooth, true),
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 1, "V": 1, "fluid": "stokes"})"), kSmooth, true),
               HasSubstr("raise Ca"));
+}
+
+TEST(Remedy, ForALowInnerViscosityOnAFineLatticeIsStokesFlow) {
+  EXPECT_THAT(remedy(parsed_case(R"({"Ca": 0.1, "V": 0.01, "fluid": "quasisteady", "fidelity": "standard"})"),
+                     kSmooth, true),
+              AllOf(HasSubstr("take the fluid stokes"), HasSubstr("raise V or dx")));
+}
+
+// No lattice holds it: the capsule outgrows every box.
+TEST(Remedy, ForANeoHookeanCapsuleThatIsDrawnOutIsASmallerCaOrALawThatHardens) {
+  for (const char* V : {"0.01", "1"})
+    EXPECT_THAT(
+        remedy(parsed_case(std::string(R"({"Ca": 4, "fluid": "stokes", "V": )") + V + "}"), kSmooth, true),
+        AllOf(HasSubstr("lower Ca to 1"), HasSubstr("skalak"), Not(HasSubstr("quasisteady"))));
 }
 
 TEST(Remedy, ExistsForEveryFailedMotion) {

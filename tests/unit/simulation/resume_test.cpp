@@ -55,6 +55,13 @@ TEST(Resume, BiconcaveCapsuleWithBendingAndViscosityRatioEqualsTheUninterruptedR
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})"));
 }
 
+TEST(Resume, UnsteadyFlowWithViscosityRatioEqualsTheUninterruptedRun) {
+  expect_resumed_equals_uninterrupted(parsed_case(R"({
+    "Ca": 0.1, "V": 2, "Re": 1, "fluid": "unsteady", "until": {"kt": 0.7},
+    "outputs": {"shapes_every": 0.15, "checkpoint_every": 1},
+    "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})"));
+}
+
 TEST(Resume, TransientFlowEqualsTheUninterruptedRun) {
   expect_resumed_equals_uninterrupted(parsed_case(R"({
     "Ca": 0.1, "V": 2, "fluid": "transient", "until": {"kt": 0.05},
@@ -86,7 +93,7 @@ TEST(Resume, AnEarlyEndHasTheSameTimeAndEvidence) {
   const Case c = parsed_case(R"({"Ca": 0.05, "fluid": "stokes", "until": {"kt": 30, "classified": true},
     "fidelity": {"nodes": 162}})");
   MemoryOutput whole;
-  whole.checkpoint_every = 30;
+  whole.checkpoint_every = 15;
   Simulation uninterrupted(c);
   EXPECT_EQ(uninterrupted.run(whole).stop, Stop::steady);
   ASSERT_GE(whole.checkpoints.size(), 2u);

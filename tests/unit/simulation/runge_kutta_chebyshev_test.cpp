@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace capstan {
 namespace {
@@ -63,6 +64,24 @@ TEST(RungeKuttaChebyshev, NeedsFlowSolutionsInProportionToTheRootOfTheStiffness)
     return calls;
   };
   EXPECT_LT(flows(16000), 6 * flows(1000));  // explicit Euler would need 16 times as many
+}
+
+TEST(RungeKuttaChebyshev, TakesLongerStepsWhereTheMembraneIsSoft) {
+  const auto longest_step = [](double rate) {
+    RungeKuttaChebyshev stepper({.tolerance = 1, .largest_step = 0.1, .soft_step = 0.2});
+    const VelocityField field = circle_and_decay(rate);
+    Points x(3, 1), u(3, 1);
+    x << 0, 1, 1.01;
+    double longest = 0;
+    for (double kt = 0; kt < 2;) {
+      field(kt, x, u);
+      const double before = std::exchange(kt, stepper.advance(field, kt, 2, u, x).kt);
+      longest = std::max(longest, kt - before);
+    }
+    return longest;
+  };
+  EXPECT_NEAR(longest_step(1), 0.2, 1e-6);
+  EXPECT_NEAR(longest_step(1000), 0.1, 1e-6);
 }
 
 TEST(RungeKuttaChebyshev, EstimatesTheFastestDecayRate) {

@@ -34,9 +34,9 @@ std::set<std::string> keys_of_a_case() {
 /// A case in which every key but `aspect` has an effect. Each value can be set to its bounds, one at a time,
 /// without making the run impossible.
 const json kCase =
-    json::parse(R"({"shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.4, "V": 4, "Re": 0.05,
+    json::parse(R"({"shape": "biconcave", "law": "skalak", "C": 5, "Ca": 0.75, "V": 4, "Re": 0.05,
   "E_b": 0.015, "bending": "variational", "c0": 0, "fluid": "quasisteady", "until": {"kt": 0.1},
-  "fidelity": {"precision": "double"}})");
+  "fidelity": {"precision": "double", "kdt": 0.02}})");
 
 std::vector<std::string> pointers_of_issues_with(const std::string& pointer, const json& value) {
   json object = kCase;
@@ -77,7 +77,7 @@ TEST(Schema, ObjectsInACaseHaveTheKeysThatTheCodeWritesOut) {
   EXPECT_EQ(keys(properties["until"]["properties"]), keys(written["until"]));
   EXPECT_EQ(keys(properties["outputs"]["properties"]), keys(written["outputs"]));
   std::set<std::string> knobs = keys(written["fidelity"]);
-  knobs.insert("preset");
+  knobs.insert({"preset", "error"});
   EXPECT_EQ(keys(properties["fidelity"]["oneOf"][1]["properties"]), knobs);
 }
 
@@ -121,10 +121,23 @@ TEST(Schema, DefaultsAreThoseOfTheCode) {
 
 TEST(Schema, StudyHasTheKeysOfTheCode) {
   const json study = schema("study");
-  EXPECT_EQ(keys(study["properties"]), (std::set<std::string>{"name", "description", "base", "axes"}));
+  EXPECT_EQ(keys(study["properties"]),
+            (std::set<std::string>{"name", "description", "base", "axes", "boundary", "refine"}));
   EXPECT_EQ(keys(study["properties"]["base"]["properties"]), keys_of_a_case());
   const auto& axes = axis_parameters();
   EXPECT_EQ(keys(study["properties"]["axes"]["properties"]), std::set<std::string>(axes.begin(), axes.end()));
+}
+
+TEST(Schema, BoundaryHasTheKeysOfTheCode) {
+  const json boundary = schema("study")["properties"]["boundary"];
+  const auto& expected = boundary_keys();
+  EXPECT_EQ(keys(boundary["properties"]), std::set<std::string>(expected.begin(), expected.end()));
+  for (const json& along : boundary["properties"]["along"]["enum"]) {
+    const json document = {
+        {"name", "b"}, {"base", json::object()}, {"boundary", {{"along", along}, {"between", {1, 2}}}}};
+    for (const Issue& issue : parse_study(document).issues)
+      EXPECT_NE(issue.pointer, "/boundary/along") << along;
+  }
 }
 
 TEST(Schema, EveryStudyOfTheRepositoryIsValid) {

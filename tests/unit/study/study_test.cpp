@@ -196,10 +196,10 @@ TEST(Study, WhatTheSolverChoosesIsSaid) {
 
 TEST(Study, DoubtfulSettingsAreSaidBeforeTheRun) {
   const auto study = parse_study(conditional(R"({"Ca": 0.1, "fidelity": "fast"})",
-                                             R"({"V": [1, 10], "fluid": ["stokes", "quasisteady"]})"))
+                                             R"({"V": [1, 30], "fluid": ["stokes", "quasisteady"]})"))
                          .value;
   ASSERT_TRUE(study);
-  EXPECT_THAT(study->notes, Contains(HasSubstr("at 1 of 4 points warning: V = 10 on a lattice of dx = 0.2")));
+  EXPECT_THAT(study->notes, Contains(HasSubstr("at 1 of 4 points warning: V = 30 on a lattice of dx = 0.2")));
 }
 
 TEST(Study, ValueThatIsValidForAnotherShapeAloneSaysForWhich) {
@@ -234,7 +234,7 @@ json range(double from, double to, int count) { return {{"from", from}, {"to", t
 
 std::vector<json> values_of(const std::string& parameter, const json& range) {
   Issues issues;
-  const auto axis = read_axis(parameter, range, issues);
+  const auto axis = read_axis(parameter, range, "/axes/" + parameter, issues);
   std::vector<json> values;
   for (std::size_t i = 0; axis && static_cast<double>(i) < axis->size(); ++i)
     values.push_back(axis->value(i));

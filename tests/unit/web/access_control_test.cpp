@@ -10,8 +10,9 @@ namespace {
 constexpr const char* kToken = "0123456789abcdef";
 
 /// Status of the refusal; 0 if the request is allowed.
-int status_of(const AccessControl& access, const std::string& host, const std::string& lines = "") {
-  const ParsedHead parsed = parse_head("GET / HTTP/1.1\r\nHost: " + host + "\r\n" + lines + "\r\n");
+int status_of(const AccessControl& access, const std::string& host, const std::string& lines = "",
+              const std::string& asked = "GET /v1/studies") {
+  const ParsedHead parsed = parse_head(asked + " HTTP/1.1\r\nHost: " + host + "\r\n" + lines + "\r\n");
   EXPECT_FALSE(parsed.refusal);
   const auto refusal = refuse_access(access, parsed.request);
   return refusal ? refusal->status : 0;
@@ -51,8 +52,24 @@ TEST(AccessControl, RefusesRequestsWithoutTheToken) {
     EXPECT_EQ(status_of(guarded, "localhost", "Authorization: " + std::string(value) + "\r\n"), 401) << value;
 }
 
+TEST(AccessControl, ServesThePageAndNothingElseWithoutTheToken) {
+  const AccessControl guarded{{}, kToken};
+  for (const char* asked :
+       {"GET /", "HEAD /", "GET /page/page.js", "GET /page/page.css", "GET /page/uPlot.js"})
+    EXPECT_EQ(status_of(guarded, "localhost", "", asked), 0) << asked;
+  for (const char* asked :
+       {"POST /", "DELETE /page/page.js", "GET /page/nobody.js", "GET /page/../v1/studies",
+        "GET /page/page.js/", "GET //", "GET /healthz", "GET /v1/studies", "POST /v1/studies"})
+    EXPECT_EQ(status_of(guarded, "localhost", "", asked), 401) << asked;
+}
+
+TEST(AccessControl, ServesThePageToItsOwnHostAndOriginOnly) {
+  EXPECT_EQ(status_of({}, "evil.example", "", "GET /"), 421);
+  EXPECT_EQ(status_of({}, "localhost:8017", "Origin: http://evil.example\r\n", "GET /page/page.js"), 403);
+}
+
 TEST(AccessControl, RefusalNamesTheSchemeOfTheToken) {
-  const ParsedHead parsed = parse_head("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  const ParsedHead parsed = parse_head("GET /v1/studies HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_EQ(refuse_access({{}, kToken}, parsed.request)->headers.at("WWW-Authenticate"), "Bearer");
 }
 

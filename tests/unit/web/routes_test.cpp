@@ -25,14 +25,16 @@ TEST_F(RoutesTest, InvalidQueryIsRefusedWithWhatIsAllowed) {
       {study + "/cases", {{"shape", "spher"}}, "must be one of: sphere, oblate, prolate, biconcave"},
       {study + "/cases", {{"law", "Skalak"}}, "must be one of: neo-hookean, skalak"},
       {study + "/cases", {{"bending", "x"}}, "must be one of: variational"},
-      {study + "/cases", {{"fluid", "water"}}, "must be one of: quasisteady, transient, stokes, auto"},
+      {study + "/cases",
+       {{"fluid", "water"}},
+       "must be one of: quasisteady, unsteady, transient, stokes, auto"},
       {study + "/cases", {{"state", "Done"}}, "must be one of: queued"},
       {study + "/cases", {{"Ca", "0.25"}, {"Ca", "0.25"}}, "stands twice"},
       {study + "/cases", {{"Ca", ""}}, "has no value"},
       {study + "/cases",
        {{"fidelity", "Fast"}},
        "must be one of: fast, standard, fine, paper; or an object of knobs"},
-      {study + "/cases", {{"ca", "0.25"}}, "is unknown; there are: limit, after, state, motion"},
+      {study + "/cases", {{"ca", "0.25"}}, "is unknown; there are: limit, after, format, state, motion"},
       {study + "/cases", {{"limit", "0"}}, "must be a whole number from 1 to 1000"},
       {study + "/cases", {{"limit", "1e3"}}, "must be a whole number from 1 to 1000"},
       {study + "/phase-diagram", {{"x", "colour"}}, "must be one of: shape"},
@@ -123,8 +125,9 @@ TEST_F(RoutesTest, UnchangedResponseIsNotSentAgain) {
 
 TEST_F(RoutesTest, UnknownPathsAndIdsAreNotFound) {
   for (const char* path :
-       {"/", "/v1", "/v1/studies/nobody", "/v1/studies/nobody/cases", "/v1/studies/a/b/cases",
-        "/v1/studies/nobody/phase-diagram", "/v1/cases/0123", "/v1/cases/0123/history", "/v1/cases/"})
+       {"/page", "/page/", "/page/nobody.js", "/page/..%2Fpage.js", "/v1", "/v1/studies/nobody",
+        "/v1/studies/nobody/cases", "/v1/studies/a/b/cases", "/v1/studies/nobody/phase-diagram",
+        "/v1/cases/0123", "/v1/cases/0123/history", "/v1/cases/"})
     EXPECT_EQ(get(path).status, 404) << path;
   EXPECT_EQ(ask("POST", "/v1/studies/nobody/cancel").status, 404);
 }

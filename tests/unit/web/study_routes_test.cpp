@@ -1,6 +1,7 @@
 // What the routes of studies answer.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <set>
 
 #include "tests/unit/web/route_fixture.hpp"
@@ -48,6 +49,28 @@ TEST_F(StudyRoutesTest, InvalidStudyIsRefusedWithAllIssuesAndQueuesNothing) {
   for (const ordered_json& error : body["errors"]) pointers.insert(error["pointer"]);
   EXPECT_THAT(pointers, ElementsAre("/axes/Ca/1", "/axes/Q", "/axes/V/0"));
   EXPECT_THAT(json(get("/v1/studies"))["studies"], SizeIs(0));
+}
+
+TEST_F(StudyRoutesTest, PlanOfAStudyOrACaseStoresNothing) {
+  const Response study = ask("POST", "/v1/plan", study_document("api", {{"Ca", {0.25, 0.75}}}).dump());
+  EXPECT_EQ(study.status, 200);
+  EXPECT_EQ(json(study)["kind"], "study");
+  EXPECT_EQ(json(study)["cases"], 2);
+  const Response single = ask("POST", "/v1/plan", R"({"Ca": 0.1})");
+  EXPECT_EQ(single.status, 200);
+  EXPECT_EQ(json(single)["kind"], "case");
+  EXPECT_THAT(json(get("/v1/studies"))["studies"], SizeIs(0));
+}
+
+TEST_F(StudyRoutesTest, PlanOfAnInvalidDocumentIsRefusedWithItsIssues) {
+  for (const char* bad : {R"({"Ca": -1})", R"({"name": "a", "base": {"Ca": -1}})", "", "[]", "{"}) {
+    const Response response = ask("POST", "/v1/plan", bad);
+    EXPECT_EQ(response.status, 422) << bad;
+    EXPECT_FALSE(json(response)["errors"].empty()) << bad;
+  }
+  nlohmann::json many = {{"Ca", 0.1}};
+  for (int i = 0; i < 1000; ++i) many["unknown" + std::to_string(i)] = 1;
+  EXPECT_THAT(json(ask("POST", "/v1/plan", many.dump()))["errors"], SizeIs(101));
 }
 
 TEST_F(StudyRoutesTest, EveryTruncationOfAStudyIsRefused) {
@@ -157,6 +180,47 @@ TEST_F(StudyRoutesTest, PhaseDiagramHasTheMotionOfEachCell) {
   EXPECT_EQ(diagram["y"]["values"], ordered_json({4}));
   EXPECT_EQ(diagram["rows"][0][0]["motion"], "tumbling");
   EXPECT_EQ(diagram["rows"][0][1]["state"], "running");
+}
+
+TEST_F(StudyRoutesTest, CasesAreOneTableAsCsvWithoutPages) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one() + "/cases";
+  const std::string table = get(path, {{"format", "csv"}}).body;
+  EXPECT_THAT(table, StartsWith("id,state,motion,"));
+  EXPECT_EQ(std::ranges::count(table, '\n'), 3) << "a header and two points";
+  EXPECT_EQ(get(path, {}, "text/csv").body, table);
+  EXPECT_EQ(std::ranges::count(get(path, {{"format", "csv"}, {"motion", "tumbling"}}).body, '\n'), 2);
+}
+
+TEST_F(StudyRoutesTest, PhaseDiagramAsCsvHasARowForEachPoint) {
+  const std::string id = submit_and_complete_one();
+  const std::string table = get("/v1/studies/" + id + "/phase-diagram", {{"format", "csv"}}).body;
+  EXPECT_THAT(table, HasSubstr("Ca,motion,confirmed,state,case\r\n"));
+  EXPECT_THAT(table, HasSubstr("0.25,tumbling,"));
+  EXPECT_THAT(table, HasSubstr("0.75,,"));
+}
+
+const char* const kSought = R"({"name": "sought", "base": {"shape": "biconcave", "fidelity": "fast"},
+  "boundary": {"along": "Ca", "between": [0.05, 1], "for": {"V": [2]}, "explore": 4}})";
+
+TEST_F(StudyRoutesTest, BoundaryIsLinkedToAndAnsweredAsJsonOrCsv) {
+  const ordered_json study = json(ask("POST", "/v1/studies", kSought));
+  EXPECT_EQ(study["boundary"]["along"], "Ca");
+  const std::string path = study["links"]["boundary"];
+  const ordered_json boundary = json(get(path));
+  EXPECT_EQ(boundary["points"]["asked"], 4);
+  EXPECT_EQ(boundary["searching"], true);
+  EXPECT_EQ(boundary["rows"][0]["at"]["V"], 2);
+  const Response csv = get(path, {}, "text/csv");
+  EXPECT_EQ(csv.content_type, "text/csv; charset=utf-8");
+  EXPECT_THAT(csv.body, StartsWith("V,from,to,Ca,low,high,"));
+  EXPECT_EQ(get(path, {{"format", "csv"}}).body, csv.body);
+}
+
+TEST_F(StudyRoutesTest, StudyThatSeeksNoBoundaryHasNone) {
+  const std::string id = submit_and_complete_one();
+  EXPECT_EQ(get("/v1/studies/" + id + "/boundary").status, 404);
+  EXPECT_FALSE(json(get("/v1/studies/" + id))["links"].contains("boundary"));
+  EXPECT_TRUE(json(get("/v1/studies/" + id))["boundary"].is_null());
 }
 
 }  // namespace

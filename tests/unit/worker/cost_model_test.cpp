@@ -42,7 +42,7 @@ TEST(CostModel, OtherCasesScaleWithTheNearestMeasuredOne) {
     double nearest = measured.front();
     for (double Ca : measured)
       if (std::abs(std::log(Ca / cases[i].Ca)) < std::abs(std::log(nearest / cases[i].Ca))) nearest = Ca;
-    EXPECT_DOUBLE_EQ(seconds[i], nearest * run_cost(cases[i])) << "Ca = " << cases[i].Ca;
+    EXPECT_DOUBLE_EQ(seconds[i], nearest * case_cost(cases[i])) << "Ca = " << cases[i].Ca;
   }
 }
 

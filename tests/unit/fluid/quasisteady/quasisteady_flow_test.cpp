@@ -12,14 +12,15 @@
 namespace capstan {
 namespace {
 
-/// A sheared red blood cell with the forces of its membrane.
-struct RedCell {
+/// A sheared capsule with the forces of its membrane.
+struct ShearedCapsule {
   Icosphere sphere = make_icosphere(3);
   Points initial, positions, forces;
 
-  RedCell() {
+  explicit ShearedCapsule(const std::string& shape) {
     const Case c = testing::parsed_case(
-        R"({"shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.4, "fluid": "quasisteady", "fidelity": "fast"})");
+        R"({"shape": ")" + shape +
+        R"(", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 0.4, "fluid": "quasisteady", "fidelity": "fast"})");
     initial = initial_positions(c, sphere);
     positions = initial;
     positions.row(0) += 0.1 * initial.row(1);
@@ -29,10 +30,14 @@ struct RedCell {
   Orbits whole() const { return Orbits::without_symmetry(int(initial.cols())); }
 };
 
+struct RedCell : ShearedCapsule {
+  RedCell() : ShearedCapsule("biconcave") {}
+};
+
 constexpr QuasisteadyOptions kOptions{.dx = 0.2, .box = 12.8, .Re = 0.05, .V = 4, .tolerance = 1e-7};
 
 template <class T>
-Points velocities(const RedCell& cell, Orbits orbits, const QuasisteadyOptions& options) {
+Points velocities(const ShearedCapsule& cell, Orbits orbits, const QuasisteadyOptions& options) {
   QuasisteadyFlow<T> flow(cell.sphere.mesh, std::move(orbits), options);
   Points u;
   const FlowReport report = flow.solve(0, cell.positions, cell.forces, u);
@@ -102,8 +107,7 @@ TEST(QuasisteadyFlow, DoesNotDependOnTheNumberOfThreads) {
 }
 
 /// Relative errors of the velocities: of the undisturbed flow, and after each cycle that starts from it.
-std::vector<double> errors_of_cycles(double V, double dx) {
-  const RedCell cell;
+std::vector<double> errors_of_cycles(const ShearedCapsule& cell, double V, double dx) {
   QuasisteadyOptions options = kOptions;
   options.V = V, options.dx = dx, options.Re = 0;
   const Points exact = velocities<double>(cell, cell.symmetric(), options);
@@ -126,15 +130,48 @@ double mean_contraction(const std::vector<double>& errors) { return std::pow(err
 TEST(QuasisteadyFlow, FirstCycleLeavesFifteenPercentOfTheErrorAndLaterOnesAThirdOnEveryGrid) {
   for (double V : {1.0, 4.0, 10.0})
     for (double dx : {0.2, 0.1}) {
-      const auto errors = errors_of_cycles(V, dx);
+      const auto errors = errors_of_cycles(RedCell(), V, dx);
       EXPECT_LT(first_contraction(errors), 0.15) << "V = " << V << ", dx = " << dx;
       EXPECT_LT(mean_contraction(errors), 0.35) << "V = " << V << ", dx = " << dx;
     }
 }
 
-// Measured: first 0.42, mean 0.60. In an inner fluid of low viscosity sweeps smooth little.
-TEST(QuasisteadyFlow, MeanContractionFactorIsBelowTwoThirdsForATenthOfTheAmbientViscosity) {
-  for (double dx : {0.2, 0.1}) EXPECT_LT(mean_contraction(errors_of_cycles(0.1, dx)), 0.67) << "dx = " << dx;
+// Measured at dx = 0.2 (with the paper's coupling; now the first cycle leaves up to 0.27), for the first
+// cycle and the mean of five, with the factors for a thin inner fluid and with those for V >= 1:
+//     V        red cell                      sphere
+//     0.05     0.23, 0.30   (0.37, 0.61)     0.13, 0.32   (0.28, 0.57)
+//     0.1      0.21, 0.26   (0.36, 0.59)     0.12, 0.28   (0.26, 0.54)
+//     0.5      0.09, 0.17   (0.21, 0.44)     0.14, 0.18   (0.23, 0.44)
+TEST(QuasisteadyFlow, FirstCycleLeavesThreeTenthsOfTheErrorWithAThinInnerFluidAndLaterOnesFourTenths) {
+  for (double V : {0.05, 0.1, 0.5})
+    for (const char* shape : {"biconcave", "sphere"}) {
+      const auto errors = errors_of_cycles(ShearedCapsule(shape), V, 0.2);
+      EXPECT_LT(first_contraction(errors), 0.3) << "V = " << V << ", " << shape;
+      EXPECT_LT(mean_contraction(errors), 0.4) << "V = " << V << ", " << shape;
+    }
+  const auto fine = errors_of_cycles(RedCell(), 0.1, 0.1);
+  EXPECT_LT(first_contraction(fine), 0.3);
+  EXPECT_LT(mean_contraction(fine), 0.4);
+}
+
+/// Relative error after steps of one cycle, each of which starts from the linear extrapolation of the two
+/// steps before it.
+double error_after_steps_of_one_cycle(const ShearedCapsule& capsule, double V, int steps) {
+  QuasisteadyOptions options = kOptions;
+  options.V = V, options.Re = 0;  // a solve takes a part of convection from the flow before it
+  const Points exact = velocities<double>(capsule, capsule.symmetric(), options);
+  options.tolerance = 1e300;
+  QuasisteadyFlow<double> flow(capsule.sphere.mesh, capsule.symmetric(), options);
+  Points u;
+  for (int step = 0; step < steps; ++step) flow.solve(step, capsule.positions, capsule.forces, u);
+  return difference(u, exact);
+}
+
+// Measured after 40 steps: at most 1.2e-5, at V = 4. With the factors for V >= 1 errors grow: 5e-3 at V =
+// 0.05, 2e-3 at V = 0.1.
+TEST(QuasisteadyFlow, StepsOfOneCycleConvergeWhileTheMembraneIsAtRest) {
+  for (double V : {0.05, 0.1, 0.5, 1.0, 4.0})
+    EXPECT_LT(error_after_steps_of_one_cycle(ShearedCapsule("sphere"), V, 60), 1e-5) << "V = " << V;
 }
 
 TEST(QuasisteadyFlow, ReportsAReasonForACapsuleOutsideOfTheDomain) {

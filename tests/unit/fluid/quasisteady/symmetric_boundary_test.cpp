@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/grid/for_each_row.hpp"
+#include "solver/mesh/geometry.hpp"
 #include "solver/mesh/icosphere.hpp"
 #include "tests/support/forces.hpp"
 
@@ -16,11 +17,12 @@ const GridGeometry kGrid{Vec3::Constant(kDx / 2), kDx};
 struct Capsule {
   Icosphere sphere = make_icosphere(3);
   Orbits orbits = Orbits::of(sphere.directions);
-  Points positions, vectors;
+  Points positions, normals, vectors;
 
   /// A bumped sphere, and vectors at its vertices, both with the symmetry.
   Capsule()
       : positions(orbits.extend(orbits.restrict(testing::bumped(sphere.directions, 0.02)))),
+        normals(orbits.extend(orbits.restrict(vertex_normals(positions, sphere.mesh.faces)))),
         vectors(orbits.extend(orbits.restrict(testing::bumped(Points::Zero(3, positions.cols()), 1)))) {}
 };
 
@@ -28,11 +30,12 @@ TEST(SymmetricBoundary, SpreadsInItsQuarterWhatTheWholeMembraneSpreadsThere) {
   const Capsule capsule;
   SymmetricBoundary quarter(kGrid, capsule.orbits),
       whole(kGrid, Orbits::without_symmetry(int(capsule.positions.cols())));
-  ASSERT_TRUE(quarter.place(capsule.positions) && whole.place(capsule.positions));
+  ASSERT_TRUE(quarter.place(capsule.positions, capsule.normals) &&
+              whole.place(capsule.positions, capsule.normals));
   ASSERT_TRUE(quarter.has_symmetry() && !whole.has_symmetry());
   VectorField part, all;
-  quarter.spread(capsule.vectors, 1, part);
-  whole.spread(capsule.vectors, 1, all);
+  quarter.spread(capsule.vectors, capsule.vectors, 1, part);
+  whole.spread(capsule.vectors, capsule.vectors, 1, all);
   double largest = 0;
   for_each_row_in_order(part.box(), [&](int y, int z) {
     for (int c = 0; c < 3; ++c)
@@ -53,9 +56,9 @@ struct ThereAndBack {
 };
 ThereAndBack there_and_back(const Capsule& capsule) {
   SymmetricBoundary boundary(kGrid, capsule.orbits);
-  EXPECT_TRUE(boundary.place(capsule.positions));
+  EXPECT_TRUE(boundary.place(capsule.positions, capsule.normals));
   ThereAndBack result;
-  boundary.spread(capsule.vectors, 1, result.forces);
+  boundary.spread(capsule.vectors, Points(3, 0), 1, result.forces);
   boundary.interpolate(result.forces, result.velocities);
   return result;
 }

@@ -38,6 +38,15 @@ TEST(Gmres, ReportsTheErrorThatTooFewProductsLeave) {
   EXPECT_LT(solution.relative_error, 1);
 }
 
+TEST(Gmres, ReportsTheResidual) {
+  const System system;
+  for (double tolerance : {1e-8, 1e-3, 10.}) {  // 10: the initial guess is good enough
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(30);
+    const LinearSolution solution = solve_gmres(system.apply(), system.b, tolerance, 40, x);
+    EXPECT_LT((solution.residual - (system.b - system.A * x)).norm(), 1e-12 * system.b.norm()) << tolerance;
+  }
+}
+
 TEST(Gmres, StopsUnconvergedOnNumbersThatAreNotFinite) {
   const System system;
   Eigen::VectorXd x = Eigen::VectorXd::Constant(30, NAN);

@@ -1,4 +1,4 @@
-#include "solver/output/hdf5_file.hpp"
+#include "solver/run_directory/hdf5_file.hpp"
 
 #include <stdexcept>
 

@@ -1,0 +1,94 @@
+#include "runner/cli/published_series.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "runner/study/input_file.hpp"
+#include "runner/study/shown_value.hpp"
+
+namespace capstan {
+namespace {
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char c : line)
+    if (c == ',')
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  return cells;
+}
+
+std::vector<Row> rows_of(const std::string& text) {
+  std::istringstream lines(text);
+  std::vector<std::string> columns;
+  std::vector<Row> rows;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.starts_with("#")) continue;
+    const std::vector<std::string> cells = cells_of(line);
+    if (columns.empty()) {
+      columns = cells;
+      continue;
+    }
+    Row& row = rows.emplace_back();
+    for (std::size_t i = 0; i < std::min(columns.size(), cells.size()); ++i) row[columns[i]] = cells[i];
+  }
+  return rows;
+}
+
+double number_in(const Row& row, const std::string& column) {
+  double number = std::numeric_limits<double>::quiet_NaN();
+  const auto found = row.find(column);
+  if (found != row.end())
+    std::from_chars(found->second.data(), found->second.data() + found->second.size(), number);
+  return number;
+}
+
+bool is_parameter(const std::string& column) {
+  return column != "paper" && column != "kt" && column != "D_xy" && column != "theta";
+}
+
+bool fits(const Row& row, const PicturedCase& c) {
+  return std::ranges::all_of(row, [&](const auto& cell) {
+    const auto& [column, value] = cell;
+    return !is_parameter(column) || value.empty() ||
+           value == shown_value(c.parameters.value(column, nlohmann::ordered_json()));
+  });
+}
+
+std::string name_of(const std::filesystem::path& file) {
+  std::string name = file.stem().string();
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+PublishedSeries& series_named(const std::string& title, std::vector<PublishedSeries>& all) {
+  const auto found = std::ranges::find(all, title, &PublishedSeries::title);
+  return found != all.end() ? *found : all.emplace_back(PublishedSeries{title, {}});
+}
+
+}  // namespace
+
+std::vector<PublishedSeries> published_series(const std::filesystem::path& file,
+                                              const std::vector<PicturedCase>& cases) {
+  std::vector<PublishedSeries> all;
+  for (const Row& row : rows_of(read_input(file))) {
+    if (!row.contains("kt") || !row.contains("D_xy"))
+      throw std::invalid_argument(input_name(file) + " needs the columns kt and D_xy");
+    const PublishedPoint point{number_in(row, "kt"), number_in(row, "D_xy"), number_in(row, "theta")};
+    if (!std::isfinite(point.kt) || std::ranges::none_of(cases, [&](const auto& c) { return fits(row, c); }))
+      continue;
+    const auto paper = row.find("paper");
+    series_named(paper == row.end() ? name_of(file) : paper->second, all).points.push_back(point);
+  }
+  return all;
+}
+
+}  // namespace capstan

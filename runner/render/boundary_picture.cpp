@@ -1,0 +1,86 @@
+#include "runner/render/boundary_picture.hpp"
+
+#include "solver/case/shown_number.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The diagram's axes may be drawn either way round.
+struct Orientation {
+  bool is_along_x = true;   ///< the searched parameter is drawn across
+  double from = 0, to = 0;  ///< the searched range
+
+  std::string point(double along, double over) const {
+    return is_along_x ? shown(along) + " " + shown(over) : shown(over) + " " + shown(along);
+  }
+};
+
+bool stands_at(const PhaseDiagram& diagram, const ordered_json& curve) {
+  for (const auto& [parameter, value] : curve["at"].items()) {
+    const auto fixed = diagram.at.find(parameter);
+    if (fixed == diagram.at.end() || fixed->second != nlohmann::json(value)) return false;
+  }
+  return true;
+}
+
+/// A limit of the band; where that is beyond the range, the end of the range.
+double limit_of_band(const ordered_json& point, int side, const Orientation& orientation) {
+  const ordered_json& limit = point["band"][std::size_t(side)];
+  if (limit.is_number()) return limit;
+  return side == 0 ? orientation.from : orientation.to;
+}
+
+/// A closed polygon: up along the lower limits, back along the upper ones.
+std::string band(const ordered_json& points, const Orientation& orientation) {
+  std::string lines;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    lines += orientation.point(limit_of_band(points[i], 0, orientation), points[i]["over"]) + "\n";
+  for (std::size_t i = points.size(); i-- > 0;)
+    lines += orientation.point(limit_of_band(points[i], 1, orientation), points[i]["over"]) + "\n";
+  return lines;
+}
+
+/// Values, each with its limits: the columns x, y, low, high.
+std::string values(const ordered_json& points, const Orientation& orientation) {
+  std::string lines;
+  for (const ordered_json& point : points) {
+    if (!point["value"].is_number()) continue;
+    const double value = point["value"];
+    const auto limit = [&](const char* key) {
+      return shown(point[key].is_number() ? double(point[key]) : value);
+    };
+    lines += orientation.point(value, point["over"]) + " " + limit("low") + " " + limit("high") + "\n";
+  }
+  return lines;
+}
+
+}  // namespace
+
+BoundaryDrawing boundary_drawing(const PhaseDiagram& diagram, const ordered_json& boundary) {
+  BoundaryDrawing drawing;
+  if (boundary.is_null()) return drawing;
+  const std::string along = boundary["along"];
+  if (diagram.x.parameter != along && diagram.y.parameter != along) return drawing;
+  const Orientation orientation{diagram.x.parameter == along, boundary["between"][0], boundary["between"][1]};
+  const std::string other = orientation.is_along_x ? diagram.y.parameter : diagram.x.parameter;
+  std::size_t number = 0;
+  for (const ordered_json& curve : boundary["curves"]) {
+    if (curve["over"] != other || !stands_at(diagram, curve)) continue;
+    const std::string name = std::to_string(++number), points = values(curve["points"], orientation);
+    drawing.blocks += "$band_" + name + " << END\n" + band(curve["points"], orientation) + "END\n";
+    drawing.behind +=
+        "$band_" + name +
+        " with filledcurves closed fc rgb '#E69F00' fs transparent solid 0.25 noborder notitle, ";
+    if (points.empty()) continue;
+    drawing.blocks += "$boundary_" + name + " << END\n" + points + "END\n";
+    drawing.before += ", $boundary_" + name + " using 1:2:3:4 with " + (orientation.is_along_x ? "x" : "y") +
+                      "errorbars pt 0 lw 0.8 lc rgb '#000000' notitle, $boundary_" + name +
+                      " using 1:2 with lines lw 1.5 lc rgb '#000000' title '" +
+                      (number == 1 ? "boundary" : "") + "'";
+  }
+  return drawing;
+}
+
+}  // namespace capstan

@@ -1,0 +1,124 @@
+#include "runner/render/phase_diagram_picture.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "runner/render/boundary_picture.hpp"
+#include "runner/study/shown_value.hpp"
+#include "solver/case/shown_number.hpp"
+
+namespace capstan {
+namespace {
+
+struct Symbol {
+  const char* name;    ///< motion of the cell, or its state if it has no motion
+  const char* title;   ///< in the key
+  const char* colour;  ///< Okabe and Ito's palette
+  int filled, open;    ///< gnuplot's point types
+};
+constexpr std::array kSymbols = {
+    Symbol{"tumbling", "tumbling", "#D55E00", 5, 4},
+    Symbol{"tank_treading", "tank-treading", "#0072B2", 7, 6},
+    Symbol{"transition", "transition", "#E69F00", 9, 8},
+    Symbol{"undecided", "undecided", "#000000", 13, 12},
+    Symbol{"mixed", "cases that differ", "#CC79A7", 1, 1},
+    Symbol{"diverged", "no answer", "#000000", 2, 2},
+    Symbol{"failed", "no answer", "#000000", 2, 2},
+};
+
+bool is_shown_as(const PhaseCell& cell, const Symbol& symbol) {
+  return !cell.cases.empty() && (cell.motion.empty() ? cell.state : cell.motion) == symbol.name;
+}
+
+bool is_filled(const PhaseCell& cell) { return cell.motion.empty() || cell.is_confirmed; }
+
+bool has_numbers(const PhaseAxis& axis) {
+  return std::all_of(axis.values.begin(), axis.values.end(),
+                     [](const auto& value) { return value.is_number(); });
+}
+
+/// The place of a value on an axis: the number itself, or the position of a word.
+double place(const PhaseAxis& axis, std::size_t index) {
+  return has_numbers(axis) ? axis.values[index].get<double>() : double(index);
+}
+
+/// Limits half a step beyond the outermost values; a logarithmic scale where the values span more than a
+/// factor of 20.
+std::string scale(const char* name, const PhaseAxis& axis) {
+  const double first = place(axis, 0), last = place(axis, axis.values.size() - 1);
+  const bool is_logarithmic = has_numbers(axis) && first > 0 && last > 20 * first;
+  const std::string range = std::string("set ") + name + "range [";
+  if (is_logarithmic)
+    return std::string("set logscale ") + name + "\n" + range + shown(first / 1.3) + ":" + shown(last * 1.3) +
+           "]\n";
+  const double step = last > first ? 0.06 * (last - first) : 1;
+  return range + shown(first - step) + ":" + shown(last + step) + "]\n";
+}
+
+/// The words of an axis of words; gnuplot chooses the numbers.
+std::string tics(const char* name, const PhaseAxis& axis) {
+  if (axis.parameter.empty()) return std::string("unset ") + name + "tics\n";
+  if (has_numbers(axis)) return "";
+  std::string list;
+  for (std::size_t i = 0; i < axis.values.size(); ++i)
+    list += (i > 0 ? ", " : "") + quoted_text(shown_value(axis.values[i])) + " " + shown(place(axis, i));
+  return std::string("set ") + name + "tics (" + list + ")\n";
+}
+
+/// The points of one symbol as a block of data: x and y.
+std::string points(const PhaseDiagram& diagram, const Symbol& symbol, bool filled) {
+  std::string lines;
+  for (std::size_t row = 0; row < diagram.rows.size(); ++row)
+    for (std::size_t column = 0; column < diagram.rows[row].size(); ++column) {
+      const PhaseCell& cell = diagram.rows[row][column];
+      if (is_shown_as(cell, symbol) && is_filled(cell) == filled)
+        lines += shown(place(diagram.x, column)) + " " + shown(place(diagram.y, row)) + "\n";
+    }
+  return lines;
+}
+
+struct Series {
+  std::string block, data, plot;
+};
+
+std::vector<Series> all_series(const PhaseDiagram& diagram) {
+  std::vector<Series> series;
+  for (const Symbol& symbol : kSymbols)
+    for (const bool filled : {true, false}) {
+      std::string data = points(diagram, symbol, filled);
+      if (data.empty()) continue;
+      const std::string block = std::string("$") + symbol.name + (filled ? "" : "_not_confirmed");
+      const std::string title = std::string(symbol.title) + (filled ? "" : ", not confirmed");
+      series.push_back({block, std::move(data),
+                        block + " with points pt " + std::to_string(filled ? symbol.filled : symbol.open) +
+                            " ps 0.9 lc rgb '" + symbol.colour + "' title '" + title + "'"});
+    }
+  return series;
+}
+
+std::string title(const PhaseDiagram& diagram) {
+  std::string text;
+  for (const auto& [parameter, value] : diagram.at)
+    text += (text.empty() ? "" : ", ") + parameter + " = " + shown_value(value);
+  return text.empty() ? "" : "set title " + quoted_text(text) + " noenhanced\n";
+}
+
+}  // namespace
+
+std::string phase_diagram_script(const PhaseDiagram& diagram, const nlohmann::ordered_json& boundary,
+                                 const PictureFormat& format) {
+  std::string script = picture_head(format, 0.85) + title(diagram) + scale("x", diagram.x) +
+                       scale("y", diagram.y) + tics("x", diagram.x) + tics("y", diagram.y) + "set xlabel " +
+                       symbol(diagram.x.parameter) + "\nset ylabel " + symbol(diagram.y.parameter) +
+                       "\nset key below Left reverse maxcols 2 samplen 1 spacing 1.1\n";
+  const BoundaryDrawing drawing = boundary_drawing(diagram, boundary);
+  script += drawing.blocks;
+  std::string plots;
+  for (const Series& each : all_series(diagram)) {
+    script += each.block + " << END\n" + each.data + "END\n";
+    plots += (plots.empty() ? "plot " + drawing.behind : ", \\\n     ") + each.plot;
+  }
+  return script + (plots.empty() ? "plot NaN notitle" : plots + drawing.before) + "\n";
+}
+
+}  // namespace capstan

@@ -1,0 +1,123 @@
+#include "runner/worker/climb.hpp"
+
+#include <cmath>
+#include <iostream>
+
+#include "runner/worker/rung_run.hpp"
+#include "solver/case/ladder.hpp"
+#include "solver/case/shown_number.hpp"
+#include "solver/output/accuracy.hpp"
+#include "solver/run_directory/durable_file.hpp"
+
+namespace capstan {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// A run with the one at twice the spacing.
+struct Pair {
+  FinishedRun run, companion;
+};
+
+struct Climb {
+  std::optional<Pair> best;  ///< the finest with an answer, or the first
+  double seconds = 0;        ///< of all runs
+  bool is_met = false, is_interrupted = false;
+};
+
+std::string resolution_of(const Case& rung) {
+  return std::to_string(rung.fidelity.nodes) + " nodes" +
+         (rung.has_grid() ? ", dx = " + shown(rung.fidelity.dx) : "");
+}
+
+void print_rung(const Case& rung) { std::cerr << resolution_of(rung) << "\n"; }
+
+void print_error(std::optional<double> error) {
+  std::cerr << "estimated error: " << (error ? rounded(*error, 2) : "unknown") << "\n";
+}
+
+/// Computes the rung, unless it was computed before.
+std::optional<FinishedRun> run_of(const Case& rung, const RunDirectory& directory, double end_seconds,
+                                  Climb& climb) {
+  print_rung(rung);
+  auto run = compute_rung(rung, directory, end_seconds);
+  climb.is_interrupted = !run;
+  if (run) climb.seconds += run->result["cost"]["seconds"].get<double>();
+  return run;
+}
+
+/// The rung and its companion; nothing if it was interrupted.
+std::optional<Pair> pair_of(const Case& rung, const RunDirectory& directory, double end_seconds,
+                            Climb& climb) {
+  auto companion = run_of(coarser(rung).value(), directory, end_seconds, climb);
+  if (!companion) return std::nullopt;
+  auto run = run_of(rung, directory, end_seconds, climb);
+  if (!run) return std::nullopt;
+  return Pair{std::move(*run), std::move(*companion)};
+}
+
+Climb climb_to(double error, const Case& first, const RunDirectory& directory, double end_seconds) {
+  Climb climb;
+  for (std::optional<Case> rung = first; rung && !climb.is_met;) {
+    auto pair = pair_of(*rung, directory, end_seconds, climb);
+    if (!pair) break;
+    const std::optional<double> estimate = estimate_of(pair->run, pair->companion);
+    print_error(estimate);
+    climb.is_met = estimate && *estimate <= error;
+    if (!climb.best || pair->run.is_answered()) climb.best = std::move(pair);
+    rung = next_rung(*rung, estimate, error);
+  }
+  return climb;
+}
+
+ordered_json accuracy_of(const Climb& climb, double asked) {
+  ordered_json shown = accuracy(climb.best->run, climb.best->companion);
+  shown["error"]["asked"] = asked;
+  shown["error"]["met"] = climb.is_met;
+  shown["error"]["nodes"] = climb.best->run.parameters.fidelity.nodes;
+  if (climb.best->run.parameters.has_grid()) shown["error"]["dx"] = climb.best->run.parameters.fidelity.dx;
+  return shown;
+}
+
+std::string not_met(const ordered_json& error, const Case& best) {
+  const ordered_json& reached = error["Q"];
+  return "the error asked for, " + rounded(error["asked"]) + ", was not met: " +
+         (reached.is_number() ? "it is estimated as " + rounded(reached) : "it is unknown") + " with " +
+         resolution_of(best) +
+         ", and no finer rung has an answer; ask for a shorter until.kt or a larger error";
+}
+
+/// Moves the shapes of a rung to the directory of the case.
+void move_shapes(const RunDirectory& from, const RunDirectory& to) {
+  if (!fs::exists(from.shapes_directory())) return;
+  fs::remove_all(to.shapes_directory());
+  fs::rename(from.shapes_directory(), to.shapes_directory());
+  fs::rename(from.shape_index_file(), to.shape_index_file());
+}
+
+void publish_files(const FinishedRun& run, const RunDirectory& directory) {
+  const RunDirectory rung = directory.rung(run.parameters.fidelity.nodes);
+  write_durably(directory.history_file(), read_file(rung.history_file()).value_or(""));
+  move_shapes(rung, directory);
+}
+
+}  // namespace
+
+RunEnding climb(const ParsedCase& parsed, const RunDirectory& directory, double end_seconds) {
+  const Case& c = *parsed.value;
+  const double asked = c.fidelity.error;
+  Climb climb = climb_to(asked, single_run(c), directory, end_seconds);
+  if (climb.is_interrupted) return RunEnding::interrupted;
+  FinishedRun& best = climb.best->run;
+  const ordered_json accuracy = accuracy_of(climb, asked);
+  publish_files(best, directory);
+  best.result["case"] = to_json(c);
+  best.result["choices"] = to_json(parsed.choices);
+  best.result["cost"]["seconds"] = std::round(1000 * climb.seconds) / 1000;
+  best.result.update(accuracy);
+  if (!climb.is_met) best.result["trust"]["warnings"].push_back(not_met(accuracy["error"], best.parameters));
+  return write_result(directory, best);
+}
+
+}  // namespace capstan

@@ -1,0 +1,58 @@
+#pragma once
+// The errors of first order in dx that the immersed boundary method makes at a membrane, and the terms that
+// cancel them.
+//
+// Near the membrane everything varies along its normal n only, on the scale of a cell. Units: dx = 1 in this
+// derivation, mu_a = 1. Let z be the distance along n, f the tangential force per area of the membrane on
+// the fluid, tau the mean shear stress, p(z) the kernel after sharpening (sharpening.hpp) and P its integral,
+// q(z) and Q those of the smoothed jump of the viscosity (eq. 41). The stress relaxes with the harmonic mean
+// of the viscosity (stress_tensor.hpp), so that with
+//   beta = (V - 1)/(V + 1),   r = (1 + 1/V)/2
+//   1/mu(z) = r (1 + 2 beta (Q - 1/2)),   u'(z) = (tau - f (P - 1/2)) / mu(z).
+// A sharp membrane has the same with P and Q replaced by the Heaviside function. The two velocities agree far
+// from the membrane on both sides only if the integral of the difference of u' is 0. It is not: the fluid on
+// one side slips by
+//   -f r beta E_m along n,   E_m = 2 int [1/4 - (P - 1/2)(Q - 1/2)] dz = E|X_p - X_q|,
+// the mean distance of two random variables of the densities p and q.
+//
+// Slip: force dipoles cancel it. Instead of the force F of a vertex, F - div [s (F_t n + n F_t)] is spread,
+// which adds s f p(z) to the stress and s f r to the integral: s = -beta E_m dx.
+// Reading has the transposed error: int p u dz differs from u(0) by tau r beta E_m, since u has a kink. So
+//   s (I - n n) (grad u + grad u^T) n
+// is added to the velocity of a vertex, the undisturbed flow included. Both terms together are adjoint and
+// symmetric; dipoles of this form exert neither force nor torque; rigid motion has no such gradient.
+//
+// Kink: what remains is proportional to f, since the kernel rounds the kink of the velocity off:
+//   u_read = u - C f dx / mu_a,   at V = 1 C = E|X_p - X_p'|/2.
+// C f dx is added as
+//   C/psi dx^2 (I - n n) I[S F_t] / mu_a,   psi = int p_0^2 dz,
+// with the kernel p_0 that is not sharpened, spreading S and interpolating I: then it has the smoothness of
+// the velocity, and needs no area of a vertex. The sum over F_t . I[S F_t] is the integral of the square of
+// S F_t: the power is never negative if C is not.
+//
+// On the lattice. The cells lie in planes across n at distances h: 1, 1/sqrt(2) and 1/sqrt(3) along the axes
+// of the grid, the diagonals of its faces and of its cells. For these normals moment_sweep.hpp and
+// stress_tensor.hpp reduce exactly to
+//   tau(j + 1/2) - tau(j - 1/2) = -F_j,
+//   g_(j+1) - g_j = 6 h^2 tau(j + 1/2) [1 - (a_j + a_(j+1))/2] - 3/2 h^2 (a_j F_j - a_(j+1) F_(j+1)),
+//   u_j = g_j - F_j/2,   a = 1 - 1/R = (1 - 1/V)(1 - Q),   F = f (p - s p')/6 in the middle of the plane.
+// E_m and C are those of these sums, in the mean over the position of the membrane between the planes and, by
+// Lebedev's rule with 26 points, over the direction of n.
+#include "solver/mesh/triangle_mesh.hpp"
+
+namespace capstan {
+
+/// Half width in cells over which the jump of the viscosity is smoothed.
+inline constexpr double kViscosityHalfWidth = 1;
+
+/// The factors of the two terms.
+struct LayerCorrections {
+  double slip;  ///< s / dx
+  double kink;  ///< C / psi; at least 0
+};
+LayerCorrections layer_corrections(double V);
+
+/// C of a membrane along an axis of the grid (0), a diagonal of its faces (1) or of its cells (2) at V = 1.
+double kink_along(int direction);
+
+}  // namespace capstan

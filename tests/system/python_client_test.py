@@ -1,0 +1,100 @@
+"""The Python client with a real daemon and solver. Usage: python_client_test.py CAPSTAN. Exit code 77: skipped."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import numpy as np
+except ImportError:
+    print("skipped: there is no numpy (apt-get install python3-numpy)")
+    sys.exit(77)
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "runner" / "python"))
+import capstan  # noqa: E402
+
+PROGRAM = sys.argv.pop()
+STUDY = {
+    "name": "cells",
+    "base": {"shape": "biconcave", "law": "skalak", "C": 5, "V": 4, "fluid": "stokes",
+             "until": {"kt": 2}, "fidelity": {"nodes": 162}, "outputs": {"history_every": 0.25, "shapes_every": 0.5}},
+    "axes": {"Ca": [0.1, 0.4], "E_b": [0.015]},
+}
+
+
+class PythonClient(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.directory = tempfile.TemporaryDirectory()
+        environment = {name: value for name, value in os.environ.items() if not name.startswith("CAPSTAN_")}
+        cls.daemon = subprocess.Popen(
+            [PROGRAM, "serve", "--data", cls.directory.name + "/data", "--listen", "127.0.0.1:0", "--cores", "1"],
+            stdout=subprocess.PIPE, text=True, env={**environment, "CAPSTAN_TOKEN": "0123456789abcdef"})
+        cls.server = capstan.Server(re.search(r"http://[\d.:]+", cls.daemon.stdout.readline())[0], "0123456789abcdef")
+        cls.study = cls.server.submit(STUDY).wait(seconds=0.1)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.daemon.terminate()
+        cls.daemon.wait()
+        cls.daemon.stdout.close()
+        cls.directory.cleanup()
+
+    def test_study_is_found_by_its_name_and_by_the_beginning_of_its_id(self):
+        self.assertEqual(self.server.study("cells").id, self.study.id)
+        self.assertEqual(self.server.study(self.study.id[:-1]).id, self.study.id)
+        with self.assertRaises(LookupError):
+            self.server.study("nobody")
+
+    def test_cases_are_one_row_a_point(self):
+        cases = self.study.cases()
+        rows = cases if isinstance(cases, list) else cases.reset_index().to_dict("records")
+        self.assertEqual([row["Ca"] for row in rows], [0.1, 0.4])
+        self.assertEqual([row["state"] for row in rows], ["done", "done"])
+        self.assertIn("error.Q", rows[0])
+
+    def test_rows_are_those_of_the_csv(self):
+        csv = self.server.request(self.study.path + "/cases", {"format": "csv"}).decode()
+        header = csv.split("\r\n", 1)[0].split(",")
+        cases = self.study.cases()
+        columns = cases[0] if isinstance(cases, list) else cases.reset_index().columns
+        self.assertLessEqual(set(columns), set(header))
+
+    def test_histories_are_on_one_grid(self):
+        histories = self.study.histories(kt=np.linspace(0, 3, 7))
+        deformation = np.asarray(histories["D_xy"])
+        self.assertEqual(deformation.shape, (2, 7))
+        self.assertTrue(np.isfinite(deformation[:, :5]).all())
+        self.assertTrue(np.isnan(deformation[:, 5:]).all(), "after the end of the runs")
+        self.assertEqual(list(np.asarray(histories["Ca"])), [0.1, 0.4])
+
+    def test_grid_is_that_of_the_longest_run(self):
+        self.assertEqual(list(np.asarray(self.study.histories()["kt"])), [0.25 * i for i in range(9)])
+
+    def test_shapes_have_the_deformation_of_the_history(self):
+        case = self.study.case(2)
+        shapes, history = case.shapes(), case.history()
+        self.assertEqual(list(shapes["kt"]), [0, 0.5, 1, 1.5, 2])
+        corners = shapes["positions"].astype(float)[:, shapes["triangles"]]
+        volumes = np.einsum("tfi,tfi->t", corners[:, :, 0], np.cross(corners[:, :, 1], corners[:, :, 2])) / 6
+        np.testing.assert_allclose(volumes, history["volume"][::2], rtol=1e-5)
+        self.assertGreater(shapes["stretches"].max(), 1)
+
+    def test_refusal_names_each_issue(self):
+        with self.assertRaises(capstan.Refused) as refused:
+            self.server.submit({"name": "a b", "base": {}})
+        self.assertEqual(refused.exception.status, 422)
+        self.assertIn("/name", [pointer for pointer, _ in refused.exception.issues])
+
+    def test_wrong_token_is_refused(self):
+        with self.assertRaises(capstan.Refused) as refused:
+            capstan.Server(self.server.url, "fedcba9876543210").studies()
+        self.assertEqual(refused.exception.status, 401)
+
+
+if __name__ == "__main__":
+    unittest.main()

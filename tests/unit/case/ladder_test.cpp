@@ -1,0 +1,114 @@
+#include "solver/case/ladder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "solver/case/run_cost.hpp"
+#include "tests/support/parsed_case.hpp"
+
+namespace capstan {
+namespace {
+
+using testing::parsed_case;
+
+Case stokes(const std::string& fidelity) {
+  return parsed_case(R"({"Ca": 0.1, "fluid": "stokes", "fidelity": )" + fidelity + "}");
+}
+Case lattice(const std::string& fidelity) {
+  return parsed_case(R"({"Ca": 0.1, "fluid": "quasisteady", "fidelity": )" + fidelity + "}");
+}
+
+TEST(Ladder, APresetIsARung) {
+  EXPECT_EQ(companion_of(stokes(R"("fast")"))->fidelity.nodes, 162);
+  EXPECT_EQ(companion_of(stokes(R"("standard")"))->fidelity.nodes, 642);
+  EXPECT_EQ(companion_of(stokes(R"("fine")"))->fidelity.nodes, 2562);
+  const auto companion = companion_of(lattice(R"("fast")"));
+  EXPECT_EQ(companion->fidelity.nodes, 162);
+  EXPECT_EQ(companion->fidelity.dx, 0.4);
+}
+
+TEST(Ladder, ACompanionIsTheCaseThatItsOwnFileWouldGive) {
+  Case companion = *companion_of(lattice(R"("standard")"));
+  companion.outputs.shapes_every = 1;
+  Case fast = lattice(R"("fast")");
+  fast.companion = false;
+  EXPECT_EQ(companion, fast);
+}
+
+TEST(Ladder, EndsAtItsCoarsestRung) {
+  EXPECT_FALSE(coarser(stokes(R"({"nodes": 42})")));
+  EXPECT_FALSE(coarser(stokes(R"({"nodes": 92})")));
+  EXPECT_FALSE(coarser(lattice(R"({"nodes": 162, "dx": 0.4})")));
+}
+
+TEST(Ladder, NextRungIsTheSecondNextWhereTheErrorIsMuchTooLarge) {
+  const auto next = [](const char* nodes, std::optional<double> estimate) {
+    return next_rung(stokes(R"({"nodes": )" + std::string(nodes) + "}"), estimate, 0.01)->fidelity.nodes;
+  };
+  EXPECT_EQ(next("162", std::nullopt), 362);
+  EXPECT_EQ(next("162", 0.011), 362);
+  EXPECT_EQ(next("162", 0.031), 642);
+  EXPECT_EQ(next("362", 0.031), 1442);
+  EXPECT_EQ(next("5762", 1.0), 10242) << "the finest";
+  EXPECT_FALSE(next_rung(stokes(R"("fine")"), 0.02, 0.01));
+}
+
+TEST(Ladder, OfLatticesHasSpacingsThatFitTheBox) {
+  std::optional<Case> rung = lattice(R"({"error": 0.2})");
+  for (const int cells : {64, 96, 128, 192, 256}) {
+    while (rung && std::lround(12.8 / rung->fidelity.dx) < cells) rung = next_rung(*rung, std::nullopt, 0.01);
+    ASSERT_TRUE(rung);
+    EXPECT_EQ(std::lround(12.8 / rung->fidelity.dx), cells);
+  }
+  EXPECT_FALSE(next_rung(*rung, std::nullopt, 0.01));
+}
+
+TEST(Ladder, HasNoRungThatDoesNotFitTheBox) {
+  EXPECT_FALSE(coarser(lattice(R"({"preset": "fast", "box": 11.2})")));  // 28 spacings of 0.4
+  EXPECT_TRUE(coarser(lattice(R"({"preset": "fast", "box": 9.6})")));
+}
+
+TEST(Ladder, IsNotThatOfTheTransientLatticeOrThePapersScheme) {
+  EXPECT_FALSE(has_ladder(parsed_case(R"({"Ca": 0.1, "fluid": "transient"})")));
+  EXPECT_FALSE(has_ladder(lattice(R"("paper")")));
+}
+
+TEST(Companion, IsSwitchedOffByTheCase) {
+  EXPECT_FALSE(companion_of(parsed_case(R"({"Ca": 0.1, "companion": false})")));
+}
+
+TEST(Companion, CostsAtMostAThirdOfTheRun) {
+  for (const Case& c : {stokes(R"("standard")"), stokes(R"("fine")"), lattice(R"("standard")")})
+    EXPECT_LE(case_cost(c), 1.34 * run_cost(c));
+}
+
+TEST(FirstRung, IsTheCoarsestWhoseUsualErrorIsSmallEnough) {
+  const auto nodes_for = [](const char* error) {
+    return stokes(R"({"error": )" + std::string(error) + "}").fidelity.nodes;
+  };
+  EXPECT_EQ(nodes_for("0.5"), 162);  // 42 and 92 nodes have no companion
+  EXPECT_LT(nodes_for("0.02"), nodes_for("0.002"));
+  EXPECT_LT(nodes_for("0.002"), nodes_for("0.0006"));
+}
+
+TEST(ErrorAskedFor, ReplacesTheSettingsOfTheResolution) {
+  const auto issues_of = [](const std::string& fidelity) {
+    return parse_case(
+               nlohmann::json::parse(R"({"Ca": 0.1, "fluid": "quasisteady", "fidelity": )" + fidelity + "}"))
+        .issues.size();
+  };
+  EXPECT_EQ(issues_of(R"({"error": 0.01})"), 0u);
+  EXPECT_EQ(issues_of(R"({"error": 0.01, "box": 9.6, "symmetry": "none"})"), 0u);
+  EXPECT_EQ(issues_of(R"({"error": 0.01, "dx": 0.2, "nodes": 642, "preset": "fast"})"), 3u);
+  EXPECT_EQ(issues_of(R"({"error": 0})"), 1u);
+  EXPECT_EQ(issues_of(R"({"error": 0.01, "box": 10})"), 2u);
+}
+
+TEST(ErrorAskedFor, ReadsBackFromTheCanonicalForm) {
+  const Case c = stokes(R"({"error": 0.01})");
+  EXPECT_EQ(to_json(c)["fidelity"]["error"], 0.01);
+  EXPECT_FALSE(to_json(c)["fidelity"].contains("nodes"));
+  EXPECT_EQ(parse_case(to_json(c)).value, c);
+}
+
+}  // namespace
+}  // namespace capstan

@@ -1,0 +1,85 @@
+#include "solver/observe/error_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/support/parsed_case.hpp"
+
+namespace capstan {
+namespace {
+
+EstimatedRun run_of(const std::string& keys, double kt = 10) {
+  return {.parameters = testing::parsed_case(R"({"Ca": 0.1, "E_b": 0.01, )" + keys + "}"),
+          .kt = kt,
+          .half_turns = 2};
+}
+const EstimatedRun kStokes = run_of(R"("fluid": "stokes")");
+constexpr Distance kDistance{.Q = 0.02, .D_xy = 0.01, .theta = 0.04, .period = 0.03, .until_kt = 10};
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+Distance scaled(const Distance& distance, double by) {
+  return {distance.Q * by, distance.D_xy * by, distance.theta * by, distance.period * by, distance.until_kt};
+}
+
+TEST(ErrorEstimate, IsProportionalToTheDistance) {
+  const ErrorEstimate once = estimated_error(kStokes, kDistance),
+                      twice = estimated_error(kStokes, scaled(kDistance, 2));
+  EXPECT_DOUBLE_EQ(twice.Q, 2 * once.Q);
+  EXPECT_DOUBLE_EQ(twice.D_xy, 2 * once.D_xy);
+  EXPECT_DOUBLE_EQ(twice.theta, 2 * once.theta);
+  EXPECT_DOUBLE_EQ(twice.period, 2 * once.period);
+}
+
+TEST(ErrorEstimate, GrowsWhereTheCompanionEndedEarlier) {
+  EXPECT_DOUBLE_EQ(estimated_error(run_of(R"("fluid": "stokes")", 25), kDistance).Q,
+                   2.5 * estimated_error(kStokes, kDistance).Q);
+  EXPECT_DOUBLE_EQ(estimated_error(run_of(R"("fluid": "stokes")", 5), kDistance).Q,
+                   estimated_error(kStokes, kDistance).Q);
+}
+
+TEST(ErrorEstimate, IsLargerOnALatticeWithoutBendingAndOnAFoldedSurface) {
+  const double usual = estimated_error(kStokes, kDistance).Q;
+  EXPECT_GT(estimated_error(run_of(R"("fluid": "quasisteady")"), kDistance).Q, usual);
+  EXPECT_GT(estimated_error(run_of(R"("fluid": "stokes", "fidelity": {"nodes": 162})"), kDistance).Q, usual);
+  EstimatedRun other = kStokes;
+  other.largest_dihedral = 61;
+  EXPECT_GE(estimated_error(other, scaled(kDistance, 0.1)).Q, 0.1);
+  other = kStokes;
+  other.parameters.E_b = 0;
+  const double without_bending = estimated_error(other, kDistance).Q;
+  EXPECT_GT(without_bending, usual);
+  other.largest_dihedral = 41;
+  EXPECT_GT(estimated_error(other, kDistance).Q, without_bending);
+}
+
+TEST(ErrorEstimate, OfDeformationAngleAndPeriodDoesNotVanishWhereTheyAgreeByChance) {
+  Distance by_chance = kDistance;
+  by_chance.D_xy = by_chance.theta = by_chance.period = 0;
+  const ErrorEstimate error = estimated_error(kStokes, by_chance);
+  EXPECT_DOUBLE_EQ(error.D_xy, 0.75 * error.Q);
+  EXPECT_DOUBLE_EQ(error.theta, 2 * error.Q);
+  EXPECT_DOUBLE_EQ(error.period, error.Q);
+}
+
+TEST(ErrorEstimate, IsNeverZeroAndUnknownWhereTheDistanceIs) {
+  const ErrorEstimate error =
+      estimated_error(kStokes, {.Q = 0, .D_xy = 0, .theta = kUnknown, .period = kUnknown, .until_kt = 10});
+  EXPECT_GT(error.Q, 0);
+  EXPECT_GT(error.D_xy, 0);
+  EXPECT_TRUE(std::isnan(error.theta));
+  EXPECT_TRUE(std::isnan(error.period));
+  EXPECT_TRUE(std::isnan(estimated_error(kStokes, Distance{}).Q)) << "the runs have no time in common";
+}
+
+TEST(Confirmation, NeedsTheSameLabelAndAnErrorBelowTheMargin) {
+  const ErrorEstimate error{.Q = 0.02, .D_xy = 0, .theta = 0, .period = 0};
+  EXPECT_TRUE(is_confirmed(Motion::tumbling, 0.03, Motion::tumbling, error));
+  EXPECT_FALSE(is_confirmed(Motion::tumbling, 0.01, Motion::tumbling, error));
+  EXPECT_FALSE(is_confirmed(Motion::tumbling, 0.03, Motion::transition, error));
+  EXPECT_FALSE(is_confirmed(Motion::undecided, 0.03, Motion::undecided, error));
+}
+
+}  // namespace
+}  // namespace capstan
