@@ -82,7 +82,7 @@ phase_diagram() {
   header
   single_cases
   phase_diagram
-  for name in cycle table1 scaling; do
+  for name in cycle scaling; do
     printf '\n## capstan bench %s, one core\n' "$name"
     OMP_NUM_THREADS=1 verbatim "$capstan" bench "$name"
   done
