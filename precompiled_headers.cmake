@@ -8,10 +8,3 @@ set(CAPSTAN_PRECOMPILED_TEST_HEADERS ${CAPSTAN_PRECOMPILED_HEADERS} <gmock/gmock
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
-
-# Clang compiles the runner's files, which are many and small, in groups of sixteen: half of the time of a build.
-# clang-tidy reads each file by itself, and so does g++.
-set(CAPSTAN_GROUPED_FILES ON)
-if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
-  set(CAPSTAN_GROUPED_FILES OFF)
-endif()

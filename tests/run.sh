@@ -9,4 +9,4 @@ cd "$(dirname "$0")/.."
 sh runner/install_packages.sh slurmctld slurmd slurm-client munge procps chromium python3-numpy
 cmake --preset test
 cmake --build --preset test
-ctest --preset test -LE slow -j "$(nproc)" "$@"
+ctest --preset test -LE slow -j "$(($(nproc) + 2))" "$@"  # two more than cores, as many tests wait

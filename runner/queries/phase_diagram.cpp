@@ -83,10 +83,10 @@ ordered_json to_json(const PhaseDiagram& diagram) {
   return {{"x", to_json(diagram.x)}, {"y", to_json(diagram.y)}, {"at", diagram.at}, {"rows", rows}};
 }
 
-PhaseDiagram phase_diagram_from_json(const ordered_json& json) {
-  PhaseDiagram diagram{axis_from_json(json["x"]), axis_from_json(json["y"]), {}, {}};
-  for (const auto& [parameter, value] : json["at"].items()) diagram.at.emplace(parameter, value);
-  for (const ordered_json& row : json["rows"]) {
+PhaseDiagram phase_diagram_from_json(const ordered_json& document) {
+  PhaseDiagram diagram{axis_from_json(document["x"]), axis_from_json(document["y"]), {}, {}};
+  for (const auto& [parameter, value] : document["at"].items()) diagram.at.emplace(parameter, value);
+  for (const ordered_json& row : document["rows"]) {
     auto& cells = diagram.rows.emplace_back();
     for (const ordered_json& cell : row)
       cells.push_back({cell["motion"].is_string() ? cell["motion"].get<std::string>() : "", cell["state"],

@@ -10,6 +10,7 @@ std::string why_it_waits(const ListedTask& task) {
       {"Priority", "jobs of higher priority are before it"},
       {"Resources", "no node has enough free cores and memory"},
       {"ReqNodeNotAvail", "nodes that it needs are down, drained or reserved"},
+      {"Nodes required for job are DOWN", "nodes that it needs are down, drained or reserved"},
       {"NodeDown", "a node that it needs is down"},
       {"PartitionDown", "the partition is down"},
       {"PartitionInactive", "the partition is inactive"},

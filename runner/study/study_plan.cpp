@@ -114,13 +114,13 @@ ordered_json other_fluid_of(const Group& group) {
 }
 
 ordered_json to_json(const Group& group, const Choices& choices) {
-  ordered_json json = {
+  ordered_json plan = {
       {"cases", group.cases},       {"choices", to_json(choices)},     {"modelled", group.plan.modelled},
       {"kdt", time_step_of(group)}, {"left_out", group.plan.left_out}, {"warnings", warnings_of(group)},
       {"error", group.plan.error}};
-  json.update(to_json(group.costs));
-  json["other_fluid"] = other_fluid_of(group);
-  return json;
+  plan.update(to_json(group.costs));
+  plan["other_fluid"] = other_fluid_of(group);
+  return plan;
 }
 
 /// What the solver chose for a case of the study.

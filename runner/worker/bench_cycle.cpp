@@ -35,7 +35,7 @@ struct Scene {
 };
 
 double milliseconds(double seconds) { return std::round(1e5 * seconds) / 100; }
-double rounded(double number) { return std::round(1000 * number) / 1000; }
+double with_three_decimals(double number) { return std::round(1000 * number) / 1000; }
 
 /// Norms of the error at the vertices after 0 to 4 cycles that start from the undisturbed shear flow.
 /// \param exact  the solution, 3 x #V
@@ -69,8 +69,8 @@ nlohmann::ordered_json cycle_row(const Scene& scene, const std::string& name, bo
           {"V", V},
           {"cells", cells},
           {"ms a cycle", milliseconds(best_time(kSpan, [&] { flow.cycle(); }))},
-          {"first contraction", rounded(errors[1] / errors[0])},
-          {"mean of four", rounded(std::pow(errors[4] / errors[0], 0.25))}};
+          {"first contraction", with_three_decimals(errors[1] / errors[0])},
+          {"mean of four", with_three_decimals(std::pow(errors[4] / errors[0], 0.25))}};
 }
 
 void add_cycles(const Scene& scene, BenchReport& report) {

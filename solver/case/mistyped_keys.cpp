@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::string> missing_keys(const json& object, const std::vector<std::string_view>& known) {
+std::vector<std::string> keys_not_in(const json& object, const std::vector<std::string_view>& known) {
   std::vector<std::string> missing;
   for (const std::string_view key : known)
     if (!object.contains(key)) missing.emplace_back(key);
@@ -30,7 +30,7 @@ Issues rename_mistyped_keys(json& object, const std::vector<std::string_view>& k
   Issues issues;
   if (!object.is_object()) return issues;
   for (const std::string& key : unknown_keys(object, known)) {
-    const auto meant = nearest_word(key, missing_keys(object, known));
+    const auto meant = nearest_word(key, keys_not_in(object, known));
     if (!meant) continue;
     issues.push_back(
         {(json::json_pointer(pointer) / key).to_string(), "unknown key; did you mean \"" + *meant + "\"?"});

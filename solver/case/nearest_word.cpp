@@ -6,7 +6,7 @@
 namespace capstan {
 namespace {
 
-constexpr std::size_t kMax = 40;  // characters; all known words are shorter
+constexpr std::size_t kLongest = 40;  // characters; all known words are shorter
 
 /// In lower case, without '-', '_' and spaces.
 std::string simplified(std::string_view word) {
@@ -53,9 +53,9 @@ std::optional<std::size_t> errors_between(const std::string& typed, const std::s
 }  // namespace
 
 std::optional<std::string> nearest_word(std::string_view typed, const std::vector<std::string>& candidates) {
-  if (typed.empty() || typed.size() > kMax) return std::nullopt;
+  if (typed.empty() || typed.size() > kLongest) return std::nullopt;
   std::optional<std::string> nearest;
-  std::size_t fewest = kMax;
+  std::size_t fewest = kLongest;
   for (const std::string& candidate : candidates) {
     const auto errors = errors_between(simplified(typed), simplified(candidate));
     if (!errors || *errors >= fewest) continue;

@@ -16,7 +16,7 @@ namespace {
 using testing::at;
 using testing::history_of;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// \param parameters of the case, JSON without its braces
 History stokes(const std::string& parameters, double kt, int nodes) {

@@ -20,7 +20,7 @@ inline Study study_of_merged_points() {
       .value.value();
 }
 
-class QueueFixture : public testing::Test {
+class QueueFixture : public ::testing::Test {
  protected:
   Submission submit(const Study& study, const std::string& key = "") {
     return submit_study(database_, clock_, study, key);

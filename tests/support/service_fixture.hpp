@@ -14,7 +14,7 @@
 
 namespace capstan {
 
-class ServiceFixture : public testing::Test {
+class ServiceFixture : public ::testing::Test {
  protected:
   /// Makes a new service on the same data, as after a kill of the daemon.
   void restart() {

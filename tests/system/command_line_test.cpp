@@ -15,15 +15,15 @@
 namespace capstan {
 namespace {
 
-using testing::AllOf;
-using testing::ContainsRegex;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::MatchesRegex;
-using testing::Not;
-using testing::StartsWith;
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::MatchesRegex;
+using ::testing::Not;
+using ::testing::StartsWith;
 
-class CommandLineTest : public testing::Test {
+class CommandLineTest : public ::testing::Test {
  protected:
   std::string file_with(const std::string& text) {
     const std::filesystem::path file = directory_.path() / "study.json";
@@ -406,19 +406,19 @@ TEST_F(ServedCommandLineTest, InvalidOptionOfAChangeIsInvalidInput) {
 
 TEST_F(ServedCommandLineTest, EveryResultComesAsOneJsonDocument) {
   const std::string file = study_file({{"Ca", {0.25, 0.75}}});
-  const auto json = [&](const std::string& arguments) {
+  const auto answer = [&](const std::string& arguments) {
     return nlohmann::json::parse(ask(arguments + " --json").output);
   };
-  const std::string id = json("submit --watch " + file)["id"];
-  EXPECT_EQ(json("submit " + file)["id"], id);
-  EXPECT_EQ(json("studies")["studies"][0]["id"], id);
-  EXPECT_EQ(json("show " + id)["cases"]["done"], 2);
-  EXPECT_EQ(json("watch " + id)["state"], "done");
-  EXPECT_EQ(json("results " + id)["cases"].size(), 2u);
-  EXPECT_EQ(json("phase-diagram " + id)["x"]["parameter"], "Ca");
-  EXPECT_EQ(json("why " + id)["reasons"][0]["cases"], 2);
-  EXPECT_EQ(json("priority " + id + " 3")["priority"], 3);
-  EXPECT_EQ(json("cancel " + id)["changed"], 0);
+  const std::string id = answer("submit --watch " + file)["id"];
+  EXPECT_EQ(answer("submit " + file)["id"], id);
+  EXPECT_EQ(answer("studies")["studies"][0]["id"], id);
+  EXPECT_EQ(answer("show " + id)["cases"]["done"], 2);
+  EXPECT_EQ(answer("watch " + id)["state"], "done");
+  EXPECT_EQ(answer("results " + id)["cases"].size(), 2u);
+  EXPECT_EQ(answer("phase-diagram " + id)["x"]["parameter"], "Ca");
+  EXPECT_EQ(answer("why " + id)["reasons"][0]["cases"], 2);
+  EXPECT_EQ(answer("priority " + id + " 3")["priority"], 3);
+  EXPECT_EQ(answer("cancel " + id)["changed"], 0);
   const CommandResult copy = run_capstan("backup --json " + (directory_.path() / "copy").string() +
                                          " --data " + data_.path().string());
   EXPECT_TRUE(nlohmann::json::parse(copy.output).contains("file"));

@@ -21,12 +21,12 @@ namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
-class DaemonTest : public testing::Test {
+class DaemonTest : public ::testing::Test {
  protected:
   std::string submit(Client& client, const nlohmann::json& axes) {
     return client.post("/v1/studies", study_document("system", axes).dump())["id"];

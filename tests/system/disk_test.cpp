@@ -20,13 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string submit(Client& client, double Ca, double V = 4) {
   return client.post("/v1/studies", study_document("disk", {{"Ca", {Ca}}, {"V", {V}}}).dump())["id"];
 }
 
-class DiskTest : public testing::Test {
+class DiskTest : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!disk_.is_mounted()) GTEST_SKIP() << "this user may not mount a tmpfs";
@@ -78,7 +78,7 @@ TEST_F(DiskTest, DaemonOnAFullDiskEndsItsRunsWhenItIsTerminated) {
   Client client(daemon.url());
   wait_for_cases(client, submit(client, 0.1, 70), "running", 1);
   disk_.fill();
-  EXPECT_THAT(daemon.end_with(SIGTERM), testing::AnyOf(0, 1));
+  EXPECT_THAT(daemon.end_with(SIGTERM), ::testing::AnyOf(0, 1));
   disk_.clear();
   const Daemon successor(disk_.path());
   Client again(successor.url());
@@ -93,7 +93,7 @@ TEST_F(DiskTest, DaemonDoesNotStartOnAReadOnlyDiskAndSaysWhy) {
 }
 
 /// Disks that turn read-only while the daemon works on them.
-class FailingDiskTest : public testing::Test {
+class FailingDiskTest : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!disk_.is_mounted()) GTEST_SKIP() << "this user may not mount an ext4";
@@ -162,7 +162,7 @@ TEST_F(FailingDiskTest, FailedDiskDoesNotEndTheDaemonAndLosesNothing) {
   EXPECT_THAT(cancel.errors, HasSubstr("Read-only file system"));
   expect_not_ready(client);
   EXPECT_EQ(client.get("/v1/studies/" + before)["cases"]["done"], 1);
-  EXPECT_THAT(daemon.end_with(SIGTERM), testing::AnyOf(0, 1));
+  EXPECT_THAT(daemon.end_with(SIGTERM), ::testing::AnyOf(0, 1));
   disk_.repair();
   const Daemon successor(disk_.path());
   Client again(successor.url());
@@ -171,7 +171,7 @@ TEST_F(FailingDiskTest, FailedDiskDoesNotEndTheDaemonAndLosesNothing) {
   EXPECT_EQ(again.get("/v1/studies")["studies"].size(), 2u);
 }
 
-class DamagedDatabase : public testing::Test {
+class DamagedDatabase : public ::testing::Test {
  protected:
   void SetUp() override {
     Daemon daemon(data_.path());
@@ -235,7 +235,7 @@ TEST_F(DamagedDatabase, IsFoundByTheDoctorThoughItCanBeOpened) {
   overwrite_at(3 * 4096, 8 * 4096);
   const CommandResult found = doctor();
   EXPECT_EQ(found.exit_code, 1);
-  EXPECT_THAT(found.output + found.errors, testing::AnyOf(HasSubstr("malformed"), HasSubstr("error: ")));
+  EXPECT_THAT(found.output + found.errors, ::testing::AnyOf(HasSubstr("malformed"), HasSubstr("error: ")));
 }
 
 /// Overwrites random pages of the file. Either the daemon does not start, or it answers 503 to requests that

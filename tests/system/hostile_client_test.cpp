@@ -15,9 +15,9 @@
 namespace capstan {
 namespace {
 
-using testing::AnyOf;
+using ::testing::AnyOf;
 
-class HostileClientTest : public testing::Test {
+class HostileClientTest : public ::testing::Test {
  protected:
   void SetUp() override {
     Client client(daemon_.url());

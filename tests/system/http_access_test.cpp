@@ -16,8 +16,8 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr const char* kToken = "a-token-of-some-length";
 
@@ -27,7 +27,7 @@ struct TokenInEnvironment {
   ~TokenInEnvironment() { unsetenv("CAPSTAN_TOKEN"); }
 };
 
-class HttpAccessTest : public testing::Test {
+class HttpAccessTest : public ::testing::Test {
  protected:
   std::string ask(const Daemon& daemon, const std::string& request) {
     RawConnection connection(daemon.url());

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-class HttpTest : public testing::Test {
+class HttpTest : public ::testing::Test {
  protected:
   httplib::Result post(const std::string& body, const httplib::Headers& headers = {}) {
     return client_.Post("/v1/studies", headers, body, "application/json");

@@ -93,7 +93,7 @@ class Campaign {
   /// fails; it is queued again.
   void wait_for_all(Client& client) {
     const std::string study = "/v1/studies/" + submit(client);
-    for (int done = 0; done < cases_ && !testing::Test::HasFailure();) {
+    for (int done = 0; done < cases_ && !::testing::Test::HasFailure();) {
       const ordered_json now = wait_for(client, study, [&](const ordered_json& seen) {
         return seen["cases"]["done"] > done || seen["cases"]["failed"] > 0;
       });

@@ -14,9 +14,9 @@ namespace capstan {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class LostFiles : public testing::Test {
+class LostFiles : public ::testing::Test {
  protected:
   std::string submit(double Ca, double V = 4) {
     return client_.post("/v1/studies", study_document("files", {{"Ca", {Ca}}, {"V", {V}}}).dump())["id"];

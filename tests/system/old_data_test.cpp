@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-class OldData : public testing::Test {
+class OldData : public ::testing::Test {
  protected:
   void SetUp() override { make_old_database(data_.path() / "capstan.sqlite"); }
 

@@ -1,5 +1,9 @@
 // A real Slurm on this machine, the real daemon and the real solver: its jobs, nodes and controller are lost
-// in the middle of studies, and the results are those of an undisturbed local run.
+// in the middle of studies, and the results are those of an undisturbed local run. The long form, 96 cases on
+// four nodes:
+//
+//   CAPSTAN_SLURM=long build/test/tests/real_slurm_test --gtest_filter='*Survives*'
+//   ctest --preset test -R RealSlurm.Long
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +26,8 @@ namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
+using namespace std::chrono_literals;
 
 /// Red cells of a second or less each.
 nlohmann::json short_study(const std::string& name, const nlohmann::json& axes, double kt = 5) {
@@ -39,13 +44,15 @@ nlohmann::json long_study(const std::string& name) {
   return document;
 }
 
+bool is_long() { return std::getenv("CAPSTAN_SLURM") != nullptr; }
+
 const std::vector<std::string> kSlurm = {"--executor", "slurm"};
 
-class RealSlurm : public testing::Test {
+class RealSlurm : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!PrivateSlurm::is_installed()) GTEST_SKIP() << "Slurm is not installed";
-    slurm_.emplace(2);
+    slurm_.emplace(is_long() ? 4 : 2);
   }
 
   std::string submit(Client& client, const nlohmann::json& document) {
@@ -87,8 +94,11 @@ class RealSlurm : public testing::Test {
 };
 
 TEST_F(RealSlurm, StudySurvivesTheLossOfControllerNodeAndDaemonWithTheLocalResults) {
-  const nlohmann::json document =
-      short_study("survivor", {{"Ca", {0.1, 0.2, 0.3, 0.4}}, {"V", {1, 2, 4, 8}}}, 10);
+  nlohmann::json axes = {{"Ca", {0.1, 0.2, 0.3, 0.4}}, {"V", {1, 2, 4, 8}}};
+  if (is_long())
+    axes = {{"Ca", {{"from", 0.05}, {"to", 1}, {"count", 12}}}, {"V", {1, 2, 3, 4, 5, 6, 8, 10}}};
+  const int cases = is_long() ? 96 : 16;
+  const nlohmann::json document = short_study("survivor", axes, 10);
   auto daemon = std::make_unique<Daemon>(data_.path(), kSlurm);
   std::optional<Client> client(daemon->url());
   const std::string id = submit(*client, document);
@@ -99,11 +109,12 @@ TEST_F(RealSlurm, StudySurvivesTheLossOfControllerNodeAndDaemonWithTheLocalResul
   daemon = std::make_unique<Daemon>(data_.path(), kSlurm);
   client.emplace(daemon->url());
   slurm_->start_controller();
-  ASSERT_TRUE(wait_until([&] { return resume_drained_nodes(), done() >= 5; })) << why(*client, id);
+  ASSERT_TRUE(wait_until([&] { return resume_drained_nodes(), done() >= cases / 3; }, 10min))
+      << why(*client, id);
   slurm_->lose_node("n1");
-  ASSERT_TRUE(wait_until([&] { return resume_drained_nodes(), done() == 16; })) << why(*client, id);
+  ASSERT_TRUE(wait_until([&] { return resume_drained_nodes(), done() == cases; }, 10min)) << why(*client, id);
   EXPECT_EQ(broken_promise(data_.path()), "");
-  EXPECT_TRUE(answers_in(data_.path()) == local_answers(document, 16));
+  EXPECT_TRUE(answers_in(data_.path()) == local_answers(document, cases));
 }
 
 TEST_F(RealSlurm, RunOfALostNodeGoesOnElsewhereFromItsCheckpoint) {

@@ -17,9 +17,9 @@ namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class RunLimits : public testing::Test {
+class RunLimits : public ::testing::Test {
  protected:
   /// One case of that viscosity ratio.
   std::string submit(Client& client, int V) {

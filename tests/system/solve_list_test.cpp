@@ -16,7 +16,7 @@
 namespace capstan {
 namespace {
 
-class SolveList : public testing::Test {
+class SolveList : public ::testing::Test {
  protected:
   /// V as the fake solver takes it.
   ListedCase add_case(const std::string& id, int V) {

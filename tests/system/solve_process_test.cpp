@@ -18,14 +18,14 @@ namespace capstan {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// A red blood cell by boundary integrals with a checkpoint after each step; takes some tenths of a second.
 const char* const kQuick =
     R"({"shape": "biconcave", "law": "skalak", "C": 5, "fluid": "stokes", "Ca": 0.2, "V": 2,
   "fidelity": {"nodes": 162}, "until": {"kt": 6}, "outputs": {"history_every": 0.1, "checkpoint_every": 1}})";
 
-class SolveTest : public testing::Test {
+class SolveTest : public ::testing::Test {
  protected:
   fs::path write_case(const std::string& text) {
     overwrite(root_.path() / "case.json", text);
@@ -269,7 +269,7 @@ TEST_F(OldRunDirectory, UnfinishedRunIsResumed) {
     EXPECT_NEAR(result("old")["final"]["D_xy"], before["final"]["D_xy"], 1e-6);
   } else {  // then the checkpoint does not fit, and the run starts anew
     EXPECT_THAT(log("old"),
-                testing::ContainsRegex("is of numerics version 1|belongs to case 8fa8431217afd399"));
+                ::testing::ContainsRegex("is of numerics version 1|belongs to case 8fa8431217afd399"));
     EXPECT_EQ(result("old")["stop"], "reached_end");
   }
 }

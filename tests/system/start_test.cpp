@@ -18,7 +18,7 @@ namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 int free_port() {
   const int listening = socket(AF_INET, SOCK_STREAM, 0);

@@ -13,9 +13,9 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class TlsTest : public testing::Test {
+class TlsTest : public ::testing::Test {
  protected:
   TlsTest() {
     certificate_.write_to(directory_.path() / "certificate.pem");

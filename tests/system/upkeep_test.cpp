@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-using testing::HasSubstr;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
-class UpkeepTest : public testing::Test {
+class UpkeepTest : public ::testing::Test {
  protected:
   void SetUp() override {
     Daemon daemon(data_.path());

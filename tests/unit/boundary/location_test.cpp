@@ -17,7 +17,8 @@ RowPoint point(double value, double score, bool is_confirmed) {
 }
 
 TEST(Crossings, AreNoneWhereAllPointsHaveOneLabel) {
-  EXPECT_THAT(find_crossings({point(1, 0.2, kConfirmed), point(2, 0.3, kNotConfirmed)}), testing::IsEmpty());
+  EXPECT_THAT(find_crossings({point(1, 0.2, kConfirmed), point(2, 0.3, kNotConfirmed)}),
+              ::testing::IsEmpty());
 }
 
 TEST(Crossings, JoinAllThatLiesBetweenTwoPointsThatHaveAClass) {

@@ -63,9 +63,9 @@ TEST(NextCorners, AreNoneForACellWithACornerThatHasNotEnded) {
   RefinedGrid grid = coarse_grid();
   grid.values = {{{0, 1}, {1, 5}}};
   compute(grid, straight(), {{0, 1}, {1, 1}, {0, 5}, {1, 5}});
-  EXPECT_THAT(next_corners(grid), testing::SizeIs(5));
+  EXPECT_THAT(next_corners(grid), ::testing::SizeIs(5));
   grid.points[{0, 1}].has_ended = false;
-  EXPECT_THAT(next_corners(grid), testing::IsEmpty());
+  EXPECT_THAT(next_corners(grid), ::testing::IsEmpty());
 }
 
 TEST(NextCorners, PassOverPointsWithoutALabel) {

@@ -183,10 +183,10 @@ const SyntheticMap kSimple{"simple", [](double Ca, double) { return falling(Ca, 
 TEST(NextValues, AreNoneWhileAPointHasNotEnded) {
   Row row;
   for (const double Ca : explored_values()) row.push_back(computed_point(kSimple, Ca, 1));
-  ASSERT_THAT(next_values(kSearch, row), testing::Not(testing::IsEmpty()));
+  ASSERT_THAT(next_values(kSearch, row), ::testing::Not(::testing::IsEmpty()));
   row[3].has_ended = false;
   row[3].motion.reset();
-  EXPECT_THAT(next_values(kSearch, row), testing::IsEmpty());
+  EXPECT_THAT(next_values(kSearch, row), ::testing::IsEmpty());
 }
 
 TEST(NextValues, DoNotDependOnTheOrderOfThePoints) {

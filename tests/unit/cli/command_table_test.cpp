@@ -9,9 +9,9 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// Every command of the tables, those below `capstan bench` with their full name.
 std::vector<Command> all_commands() {

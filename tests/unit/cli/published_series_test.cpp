@@ -9,7 +9,7 @@
 namespace capstan {
 namespace {
 
-class PublishedSeriesTest : public testing::Test {
+class PublishedSeriesTest : public ::testing::Test {
  protected:
   /// What is drawn of a file with this text beside spheres at Ca = 0.05 and 0.1.
   std::vector<PublishedSeries> series_of(const std::string& text) {

@@ -6,7 +6,7 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string read(const std::string& text) {
   const ServerUrl url = parse_server_url(text);

@@ -39,7 +39,7 @@ TEST(SplineKernel, SlopesAreTheDerivativesOfTheWeights) {
   }
 }
 
-const GridGeometry kGrid{.origin = {-1.9, -1.7, -1.8}, .dx = 0.2};
+const GridGeometry kSplineGrid{.origin = {-1.9, -1.7, -1.8}, .dx = 0.2};
 
 class SplineBoundaryTest : public ::testing::Test {
  protected:
@@ -55,7 +55,8 @@ class SplineBoundaryTest : public ::testing::Test {
   void fill(VectorField& field, Value value) {
     for_each_row_in_order(field.box(), [&](int y, int z) {
       for (int i = 0; i < field.box().size(0); ++i) {
-        const Vec3 vector = value(Vec3(kGrid.origin + kGrid.dx * Vec3(field.box().lo[0] + i, y, z)));
+        const Vec3 vector =
+            value(Vec3(kSplineGrid.origin + kSplineGrid.dx * Vec3(field.box().lo[0] + i, y, z)));
         for (int c = 0; c < 3; ++c) field.row(c, y, z)[i] = vector[c];
       }
     });
@@ -63,7 +64,7 @@ class SplineBoundaryTest : public ::testing::Test {
   std::mt19937 generator_{7};
   std::uniform_real_distribution<double> number_{-1, 1};
   Points positions_ = testing::bumped(make_icosphere(2).directions, 0.05);
-  SplineBoundary boundary_{kGrid};
+  SplineBoundary boundary_{kSplineGrid};
   VectorField field_;
 };
 
@@ -112,7 +113,7 @@ TEST_F(SplineBoundaryTest, GridCarriesForceAndTorqueAndSymmetricDipolesHaveNeith
     for (int i = 0; i < field_.box().size(0); ++i) {
       const Vec3 force(field_.row(0, y, z)[i], field_.row(1, y, z)[i], field_.row(2, y, z)[i]);
       total += force;
-      torque += Vec3(kGrid.origin + kGrid.dx * Vec3(field_.box().lo[0] + i, y, z)).cross(force);
+      torque += Vec3(kSplineGrid.origin + kSplineGrid.dx * Vec3(field_.box().lo[0] + i, y, z)).cross(force);
     }
   });
   EXPECT_LT((total - testing::total_force(forces)).norm(), 1e-11);

@@ -159,7 +159,7 @@ TEST_F(ExtendSearchTest, GridIsRefinedWhereTheMotionChanges) {
   std::set<double> at_three;
   for (const ordered_json& item : all_cases(id))
     if (item["asked"]["V"] == 3) at_three.insert(item["asked"]["Ca"].get<double>());
-  EXPECT_THAT(at_three, testing::IsSupersetOf({0.2, 0.3}));  // around the boundary at 0.3
+  EXPECT_THAT(at_three, ::testing::IsSupersetOf({0.2, 0.3}));  // around the boundary at 0.3
   EXPECT_EQ(study(id)["state"], "done");
   EXPECT_EQ(study(id)["boundary"], nullptr);
 }

@@ -16,11 +16,11 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// The worker is a shell script.
-class LocalExecutorTest : public testing::Test {
+class LocalExecutorTest : public ::testing::Test {
  protected:
   void SetUp() override { directory_.prepare("{}"); }
 

@@ -69,7 +69,7 @@ TEST_F(ServiceTest, ErrorWithoutTheDirectoryOfTheRunIsNoCrash) {
   service_->tick();
   EXPECT_EQ(cases(id)[0]["state"], "queued");
   EXPECT_EQ(cases(id)[0]["crashes"], 0);
-  EXPECT_THAT(service_->why_nothing_starts(), testing::HasSubstr("cannot be used"));
+  EXPECT_THAT(service_->why_nothing_starts(), ::testing::HasSubstr("cannot be used"));
   std::filesystem::create_directory(data_.runs());
   EXPECT_EQ(service_->why_nothing_starts(), "");
 }
@@ -111,7 +111,7 @@ TEST_F(ServiceTest, ResultThatCannotBeReadIsReadLater) {
                std::filesystem::filesystem_error);  // of the next start, which is tried at once
   EXPECT_EQ(cases(id)[0]["state"], "queued");
   EXPECT_EQ(cases(id)[0]["crashes"], 0);
-  EXPECT_THAT(cases(id)[0]["message"].get<std::string>(), testing::HasSubstr("result.json"));
+  EXPECT_THAT(cases(id)[0]["message"].get<std::string>(), ::testing::HasSubstr("result.json"));
   std::filesystem::remove(result);
   clock_.advance(JobQueue::kBackOff);
   complete("run 1", "tumbling");

@@ -10,9 +10,9 @@
 namespace capstan {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
 using namespace std::chrono_literals;
 
 TEST_F(ServiceTest, CancelledRunIsAskedToStopAndThenKilled) {

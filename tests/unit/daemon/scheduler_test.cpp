@@ -9,9 +9,9 @@
 namespace capstan {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 TEST_F(ServiceTest, StartsAsManyRunsAsThereAreCores) {
   submit({{"Ca", {0.25, 0.5, 0.75}}});
@@ -124,7 +124,7 @@ TEST_F(ServiceTest, NothingIsStartedOnAFullDiskAndWhySaysSo) {
   service_->keep_free(std::filesystem::space(data_.runs()).capacity);
   service_->tick();
   EXPECT_THAT(executor_.running, IsEmpty());
-  EXPECT_THAT(service_->why_nothing_starts(), testing::HasSubstr("are free in"));
+  EXPECT_THAT(service_->why_nothing_starts(), ::testing::HasSubstr("are free in"));
   service_->keep_free(0);
   service_->tick();
   EXPECT_THAT(executor_.running, SizeIs(1));

@@ -10,10 +10,10 @@
 namespace capstan {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
-using testing::UnorderedElementsAre;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using ::testing::UnorderedElementsAre;
 
 TEST_F(ServiceTest, WordStandsForTheIdsThatItNamesOrBegins) {
   const auto add = [&](const char* name, double Ca) {

@@ -8,7 +8,7 @@
 namespace capstan {
 namespace {
 
-using testing::MatchesRegex;
+using ::testing::MatchesRegex;
 
 class SubmitStudyTest : public QueueFixture {};
 

@@ -10,7 +10,7 @@
 namespace capstan {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 TEST_F(ServiceTest, SuccessorEndsTheRunsOfADeadDaemonAndStartsThemAgain) {
   const std::string id = submit({{"Ca", {0.25, 0.5}}});

@@ -35,7 +35,7 @@ TEST(UsableCores, AreAtMostThoseOfTheJobOfSlurm) {
   EXPECT_EQ(usable_cores(), without_limit);
 }
 
-class Quota : public testing::Test {
+class Quota : public ::testing::Test {
  protected:
   void limit(const std::string& group, const std::string& text) {
     std::filesystem::create_directories(root_.path() / group);

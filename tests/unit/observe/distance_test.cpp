@@ -11,15 +11,15 @@ namespace {
 
 using std::numbers::pi;
 
-struct State {
+struct ShapeAt {
   double D_xy, theta, psi;
 };
 
-History history(double end, const std::function<State(double)>& at, double every = 0.1) {
+History history(double end, const std::function<ShapeAt(double)>& at, double every = 0.1) {
   History records;
   for (int n = 0; n * every <= end + 1e-9; ++n) {
     Record& record = records.emplace_back();
-    const State state = at(n * every);
+    const ShapeAt state = at(n * every);
     record["kt"] = n * every;
     record["D_xy"] = state.D_xy;
     record["theta"] = state.theta;
@@ -29,11 +29,11 @@ History history(double end, const std::function<State(double)>& at, double every
 }
 
 History steady(double D_xy, double theta, double end = 10) {
-  return history(end, [=](double) { return State{D_xy, theta, 0}; });
+  return history(end, [=](double) { return ShapeAt{D_xy, theta, 0}; });
 }
 
 TEST(Distance, OfARunToItselfIsZero) {
-  const History run = history(20, [](double kt) { return State{0.3 + 0.1 * std::sin(kt), -kt / 2, 0}; });
+  const History run = history(20, [](double kt) { return ShapeAt{0.3 + 0.1 * std::sin(kt), -kt / 2, 0}; });
   const Distance distance = distance_between(run, run);
   EXPECT_EQ(distance.Q, 0);
   EXPECT_EQ(distance.D_xy, 0);
@@ -66,7 +66,7 @@ TEST(Distance, HasNoAngleWhereTheSectionIsRound) {
 
 TEST(Distance, OfPeriodsIsRelativeAndCountsBothKindsOfTurns) {
   const auto turning = [](double rate, double share) {
-    return history(30, [=](double kt) { return State{0.3, -share * rate * kt, -(1 - share) * rate * kt}; });
+    return history(30, [=](double kt) { return ShapeAt{0.3, -share * rate * kt, -(1 - share) * rate * kt}; });
   };
   EXPECT_NEAR(distance_between(turning(1.02, 1), turning(1, 1)).period, 0.02, 1e-9);
   EXPECT_NEAR(distance_between(turning(1.02, 0), turning(1, 0)).period, 0.02, 1e-9);
@@ -74,7 +74,7 @@ TEST(Distance, OfPeriodsIsRelativeAndCountsBothKindsOfTurns) {
 }
 
 TEST(Distance, UsesTheTimesThatBothRunsHave) {
-  const auto bending = [](double kt) { return State{kt < 5.05 ? 0.2 : 0.4, 0, 0}; };
+  const auto bending = [](double kt) { return ShapeAt{kt < 5.05 ? 0.2 : 0.4, 0, 0}; };
   EXPECT_EQ(distance_between(history(10, bending), steady(0.2, 0, 5)).Q, 0);
   EXPECT_NEAR(distance_between(history(10, bending), steady(0.2, 0, 5)).until_kt, 5, 1e-12);
   EXPECT_NEAR(distance_between(history(10, bending, 0.5), steady(0.2, 0, 10)).Q, 0.2, 1e-12);

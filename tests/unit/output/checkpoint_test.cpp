@@ -18,9 +18,9 @@ namespace capstan {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 const std::string kCaseId = "0123456789abcdef";
 
@@ -31,7 +31,7 @@ StateArchive state_at(double kt) {
   return state;
 }
 
-class Checkpoint : public testing::Test {
+class Checkpoint : public ::testing::Test {
  protected:
   void write(double kt) { write_checkpoint(directory_.path(), state_at(kt), kCaseId); }
 

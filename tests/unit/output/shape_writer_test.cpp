@@ -15,12 +15,12 @@ namespace capstan {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::DoubleNear;
-using testing::Each;
-using testing::ElementsAre;
-using testing::SizeIs;
+using ::testing::DoubleNear;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
 
-class Shapes : public testing::Test {
+class Shapes : public ::testing::Test {
  protected:
   /// Writes frames as one process: spheres of radius 1 + kt, kt = 0.1 frame.
   void write_frames(int first, int last) {

@@ -201,7 +201,7 @@ TEST_F(JobQueueTest, StudiesOfOnePriorityTakeTurns) {
   submit(sample_study("second", {{"Ca", {0.4, 0.5}}}));
   std::vector<double> order;
   while (const auto claim = queue_.claim()) order.push_back(nlohmann::json::parse(claim->document)["Ca"]);
-  EXPECT_THAT(order, testing::ElementsAre(0.1, 0.4, 0.2, 0.5, 0.3));
+  EXPECT_THAT(order, ::testing::ElementsAre(0.1, 0.4, 0.2, 0.5, 0.3));
 }
 
 TEST_F(JobQueueTest, HigherPriorityGoesFirst) {

@@ -17,7 +17,7 @@ Record record_at(double kt) {
   return record;
 }
 
-class HistoryTest : public testing::Test {
+class HistoryTest : public ::testing::Test {
  protected:
   /// Records at kt = 1, 2 ..
   void store(int count) {

@@ -12,7 +12,7 @@
 namespace capstan {
 namespace {
 
-class OutcomeTest : public testing::Test {
+class OutcomeTest : public ::testing::Test {
  protected:
   void write(const char* file, const std::string& text) { std::ofstream(directory_.path() / file) << text; }
   RunOutcome exited_with(int code) {

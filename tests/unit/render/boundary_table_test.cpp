@@ -7,7 +7,7 @@ namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// One row with a crossing, one that tumbles everywhere.
 ordered_json boundary() {

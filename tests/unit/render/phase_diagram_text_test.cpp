@@ -6,8 +6,8 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Over Ca and V, with a motion, a failed and a queued case.
 PhaseDiagram diagram() {

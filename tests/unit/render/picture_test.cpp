@@ -13,12 +13,12 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 /// Two confirmed motions, one that is not, and a case that failed.
-PhaseDiagram diagram() {
+PhaseDiagram small_diagram() {
   return {.x = {"Ca", {0.25, 0.75}},
           .y = {"V", {2, 4}},
           .at = {},
@@ -40,7 +40,7 @@ History turning(double kt_end) {
 }
 
 TEST(PhaseDiagramPicture, HasEachPointOnceInTheSeriesOfItsMotion) {
-  const std::string script = phase_script(diagram());
+  const std::string script = phase_script(small_diagram());
   EXPECT_THAT(script, HasSubstr("$tank_treading << END\n0.25 2\nEND\n"));
   EXPECT_THAT(script, HasSubstr("$tumbling << END\n0.25 4\nEND\n"));
   EXPECT_THAT(script, HasSubstr("$transition_not_confirmed << END\n0.75 2\nEND\n"));
@@ -49,15 +49,15 @@ TEST(PhaseDiagramPicture, HasEachPointOnceInTheSeriesOfItsMotion) {
 }
 
 TEST(PhaseDiagramPicture, HasALogarithmicAxisWhereTheValuesSpanMoreThanAFactorOfTwenty) {
-  EXPECT_THAT(phase_script(diagram()), Not(HasSubstr("set logscale")));
-  PhaseDiagram wide = diagram();
+  EXPECT_THAT(phase_script(small_diagram()), Not(HasSubstr("set logscale")));
+  PhaseDiagram wide = small_diagram();
   wide.x.values = {0.01, 1};
   EXPECT_THAT(phase_script(wide), HasSubstr("set logscale x\n"));
   EXPECT_THAT(phase_script(wide), Not(HasSubstr("set logscale y\n")));
 }
 
 TEST(PhaseDiagramPicture, NamesTheWordsOfAnAxisOfWords) {
-  PhaseDiagram words = diagram();
+  PhaseDiagram words = small_diagram();
   words.x = {"shape", {"oblate", "sphere"}};
   EXPECT_THAT(phase_script(words), HasSubstr("set xtics ('oblate' 0, 'sphere' 1)"));
 }
@@ -69,13 +69,13 @@ const nlohmann::ordered_json kBoundary =
     {"over": 4, "value": null, "low": 0.5, "high": null, "band": [0.4, null]}]}]})");
 
 TEST(PhaseDiagramPicture, DrawsABoundaryWithItsBandUpToTheEndOfTheRange) {
-  const std::string script = phase_diagram_script(diagram(), kBoundary, {"fig.svg"});
+  const std::string script = phase_diagram_script(small_diagram(), kBoundary, {"fig.svg"});
   EXPECT_THAT(script, HasSubstr("$band_1 << END\n0.18 2\n0.4 4\n1 4\n0.22 2\nEND\n"));
   EXPECT_THAT(script, HasSubstr("$boundary_1 << END\n0.2 2 0.19 0.2\nEND\n"));
 }
 
 TEST(PhaseDiagramPicture, DrawsNoBoundaryOverOtherAxes) {
-  PhaseDiagram other = diagram();
+  PhaseDiagram other = small_diagram();
   other.y.parameter = "E_b";
   EXPECT_THAT(phase_diagram_script(other, kBoundary, {"fig.svg"}), Not(HasSubstr("$band")));
 }
@@ -137,7 +137,7 @@ TEST(Picture, IsDrawnInEachFormatAndKeepsItsScript) {
   for (const auto& [name, start] : std::vector<std::pair<std::string, std::string>>{
            {"p.svg", "<?xml"}, {"p.pdf", "%PDF"}, {"p.png", "\x89PNG"}}) {
     const PictureFormat format{directory.path() / name};
-    draw(phase_diagram_script(diagram(), kBoundary, format), format);
+    draw(phase_diagram_script(small_diagram(), kBoundary, format), format);
     EXPECT_THAT(file_bytes(format.file), StartsWith(start));
     EXPECT_THAT(file_bytes(format.file.string() + ".gp"), HasSubstr("plot $band_1"));
     draw(history_script({{"a", turning(3)}}, {}, format), format);

@@ -7,9 +7,9 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 /// A tetrahedron with corners at 0 and at the ends of the axes.
 TriangulatedShape tetrahedron() {

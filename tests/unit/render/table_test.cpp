@@ -156,7 +156,8 @@ TEST(SummaryTable, ShowsTheRequestedAxesAndOtherColumnsThatVary) {
 TEST(SummaryTable, ShowsValuesOfAnAxisWithAllTheirDigits) {
   const Table table = summary_table(study_over({"V"}), {point(1, R"({"Ca": 0.1, "V": 1.000001})"),
                                                         point(2, R"({"Ca": 0.1, "V": 1.000002})")});
-  EXPECT_THAT(as_text(table), testing::AllOf(testing::HasSubstr("1.000001"), testing::HasSubstr("1.000002")));
+  EXPECT_THAT(as_text(table),
+              ::testing::AllOf(::testing::HasSubstr("1.000001"), ::testing::HasSubstr("1.000002")));
 }
 
 TEST(SummaryTable, HasNoColumnForValuesThatOnlyUnfinishedRunsLack) {

@@ -14,7 +14,7 @@ namespace capstan {
 namespace {
 
 /// An attempt is that of a whole process: each of these tests forks one.
-class AttemptToken : public testing::Test {
+class AttemptToken : public ::testing::Test {
  protected:
   /// A process of the attempt with this token.
   static void become(const RunDirectory& directory, const std::string& token) {
@@ -37,14 +37,14 @@ class AttemptToken : public testing::Test {
 
 TEST_F(AttemptToken, ProcessOfThePresentAttemptPublishes) {
   directory_.begin_attempt("first");
-  EXPECT_EXIT((become(directory_, "first"), publish(directory_)), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT((become(directory_, "first"), publish(directory_)), ::testing::ExitedWithCode(0), "");
   EXPECT_EQ(file_bytes(directory_.result_file()), "mine");
 }
 
 TEST_F(AttemptToken, ProcessOfAReplacedAttemptReplacesNoFile) {
   directory_.begin_attempt("first");
   const auto be_replaced = [this] { overwrite(directory_.attempt_file(), "second\n"); };
-  EXPECT_EXIT((become(directory_, "first"), be_replaced(), publish(directory_)), testing::ExitedWithCode(1),
+  EXPECT_EXIT((become(directory_, "first"), be_replaced(), publish(directory_)), ::testing::ExitedWithCode(1),
               "");
   EXPECT_FALSE(std::filesystem::exists(directory_.result_file()));
 }
@@ -52,7 +52,7 @@ TEST_F(AttemptToken, ProcessOfAReplacedAttemptReplacesNoFile) {
 TEST_F(AttemptToken, ProcessOfAWithdrawnAttemptReplacesNoFile) {
   directory_.begin_attempt("first");
   EXPECT_EXIT((become(directory_, "first"), directory_.withdraw_attempt(), publish(directory_)),
-              testing::ExitedWithCode(1), "");
+              ::testing::ExitedWithCode(1), "");
 }
 
 TEST_F(AttemptToken, ProcessThatStartsAfterItsAttemptWasReplacedDoesNothing) {
@@ -64,7 +64,7 @@ TEST_F(AttemptToken, ProcessThatStartsAfterItsAttemptWasReplacedDoesNothing) {
       std::_Exit(1);
     }
   };
-  EXPECT_EXIT(start(), testing::ExitedWithCode(1), "");
+  EXPECT_EXIT(start(), ::testing::ExitedWithCode(1), "");
 }
 
 TEST_F(AttemptToken, ProcessesOfTwoAttemptsShareNoTemporaryFile) {
@@ -74,12 +74,12 @@ TEST_F(AttemptToken, ProcessesOfTwoAttemptsShareNoTemporaryFile) {
     std::_Exit(0);
   };
   directory_.begin_attempt("first");
-  EXPECT_EXIT(print_name("first"), testing::ExitedWithCode(0), "result.json.first.partial");
+  EXPECT_EXIT(print_name("first"), ::testing::ExitedWithCode(0), "result.json.first.partial");
 }
 
 TEST_F(AttemptToken, ProcessWithoutATokenPublishes) {
   directory_.begin_attempt("first");
-  EXPECT_EXIT(publish(directory_), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(publish(directory_), ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace capstan {
 namespace {
 
-class DirectoryLockTest : public testing::Test {
+class DirectoryLockTest : public ::testing::Test {
  protected:
   bool is_free() const { return DirectoryLock(directory_).take(); }
 

@@ -12,15 +12,15 @@
 namespace capstan {
 namespace {
 
-using testing::DoubleNear;
-using testing::Each;
-using testing::ElementsAre;
-using testing::Field;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
+using ::testing::DoubleNear;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
-class RecordedShapes : public testing::Test {
+class RecordedShapes : public ::testing::Test {
  protected:
   TemporaryDirectory directory_;
   RunDirectory run_{directory_.path()};
@@ -69,7 +69,7 @@ TEST_F(RecordedShapes, WithoutTheirFileAreAnErrorThatNamesIt) {
       [&] {
         read_shape(run_, {0, 7});
       },
-      testing::ThrowsMessage<std::runtime_error>(HasSubstr("shapes/0007.h5")));
+      ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("shapes/0007.h5")));
 }
 
 TEST_F(RecordedShapes, AreReadByManyThreadsAtOnce) {

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class RunDirectoryTest : public testing::Test {
+class RunDirectoryTest : public ::testing::Test {
  protected:
   TemporaryDirectory parent_;
   RunDirectory directory_{parent_.path() / "run"};

@@ -35,7 +35,7 @@ Case stiff_case(double kdt) {
   return c;
 }
 
-std::vector<double> times(const History& history) {
+std::vector<double> times_of(const History& history) {
   std::vector<double> all;
   for (const Record& record : history) all.push_back(record["kt"]);
   return all;
@@ -45,7 +45,7 @@ TEST(Simulation, RecordsTheMultiplesOfTheIntervalFromStartToEnd) {
   MemoryOutput output;
   Simulation simulation(small_case());
   EXPECT_EQ(simulation.run(output).stop, Stop::reached_end);
-  EXPECT_THAT(times(output.records), ElementsAre(0, 0.08, 0.16, 0.24, 0.32));
+  EXPECT_THAT(times_of(output.records), ElementsAre(0, 0.08, 0.16, 0.24, 0.32));
   EXPECT_THAT(output.shape_times(), ElementsAre(0, 0.16, 0.32));
   EXPECT_EQ(simulation.statistics().steps, 4);
 }

@@ -16,14 +16,14 @@ namespace capstan {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
-using testing::SizeIs;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
 
-class SlurmExecutorTest : public testing::Test {
+class SlurmExecutorTest : public ::testing::Test {
  protected:
   void SetUp() override { executor_ = make_executor(); }
 

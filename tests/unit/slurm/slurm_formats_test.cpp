@@ -18,8 +18,8 @@ namespace capstan {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::HasSubstr;
-using testing::SizeIs;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
 
 TEST(Squeue, OtherJobsOfTheUserAreLeftOut) {
   const auto tasks = parse_squeue(
@@ -47,6 +47,9 @@ TEST(Squeue, StatesThatAreNotKnownCountAsActive) {
 TEST(SlurmWords, SayAReasonThatHasNoWordsAsSlurmDoes) {
   EXPECT_EQ(why_it_waits({.reason = "Resources"}), "no node has enough free cores and memory");
   EXPECT_EQ(why_it_waits({.reason = "ReqNodeNotAvail, UnavailableNodes:n1"}),
+            "nodes that it needs are down, drained or reserved");
+  EXPECT_EQ(why_it_waits({.reason = "Nodes required for job are DOWN, DRAINED or reserved for jobs in higher "
+                                    "priority partitions"}),
             "nodes that it needs are down, drained or reserved");
   EXPECT_EQ(why_it_waits({.reason = "QOSMaxJobsPerUserLimit"}),
             "a limit of its account or quality of service is reached (QOSMaxJobsPerUserLimit)");

@@ -17,7 +17,7 @@
 namespace capstan {
 namespace {
 
-class DatabaseTest : public testing::Test {
+class DatabaseTest : public ::testing::Test {
  protected:
   std::int64_t count_cases() {
     Statement row = database_.query("SELECT count(*) FROM cases");

@@ -14,7 +14,7 @@
 namespace capstan {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 using namespace std::chrono_literals;
 
 class TalliesTest : public QueueFixture {};

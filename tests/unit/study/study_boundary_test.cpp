@@ -10,8 +10,8 @@ namespace capstan {
 namespace {
 
 using nlohmann::json;
-using testing::ElementsAre;
-using testing::UnorderedElementsAre;
+using ::testing::ElementsAre;
+using ::testing::UnorderedElementsAre;
 
 json sought() {
   return json::parse(R"({"name": "b", "base": {"shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015},
@@ -104,7 +104,7 @@ json refined(const json& refine) {
 }
 
 TEST(StudyRefinement, NamesTwoAxesWithNumbers) {
-  EXPECT_THAT(pointers(refined({{"Ca", 0.02}, {"V", 0.25}})), testing::IsEmpty());
+  EXPECT_THAT(pointers(refined({{"Ca", 0.02}, {"V", 0.25}})), ::testing::IsEmpty());
   EXPECT_THAT(pointers(refined({{"Ca", 0.02}})), ElementsAre("/refine"));
   EXPECT_THAT(pointers(refined({{"Ca", 0.02}, {"shape", 1}})), ElementsAre("/refine/shape"));
   EXPECT_THAT(pointers(refined({{"Ca", 0}, {"Re", 1}})), UnorderedElementsAre("/refine/Ca", "/refine/Re"));

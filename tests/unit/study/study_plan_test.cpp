@@ -10,10 +10,10 @@ namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 ordered_json plan_of_study(const nlohmann::json& axes) {
   return plan_json(parse_document(study_document("planned", axes).dump()));
@@ -49,7 +49,7 @@ TEST(StudyPlan, CasesWithOtherModelsAreOtherGroupsTheLargestFirst) {
   EXPECT_EQ(plan["number_of_groups"], 4);
   std::vector<int> cases;
   for (const ordered_json& group : plan["groups"]) cases.push_back(group["cases"]);
-  EXPECT_THAT(cases, testing::ElementsAre(4, 4, 2, 2));
+  EXPECT_THAT(cases, ::testing::ElementsAre(4, 4, 2, 2));
   double total = 0;
   for (const ordered_json& group : plan["groups"]) total += group["seconds"]["total"].get<double>();
   EXPECT_NEAR(total, plan["seconds"]["total"].get<double>(), 0.01 * total);

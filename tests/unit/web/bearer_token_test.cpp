@@ -12,9 +12,9 @@
 namespace capstan {
 namespace {
 
-constexpr const char* kToken = "0123456789abcdef";
+constexpr const char* kSecret = "0123456789abcdef";
 
-class BearerTokenTest : public testing::Test {
+class BearerTokenTest : public ::testing::Test {
  protected:
   void TearDown() override {
     unsetenv("CAPSTAN_TOKEN");
@@ -31,14 +31,14 @@ class BearerTokenTest : public testing::Test {
 
 TEST_F(BearerTokenTest, IsReadFromTheEnvironmentOrAFileThatItNames) {
   EXPECT_FALSE(token_of_environment());
-  name_file(std::string(kToken) + "\n", std::filesystem::perms::owner_read);
-  EXPECT_EQ(token_of_environment(), kToken);
+  name_file(std::string(kSecret) + "\n", std::filesystem::perms::owner_read);
+  EXPECT_EQ(token_of_environment(), kSecret);
   setenv("CAPSTAN_TOKEN", "another-token-of-some-length", 1);
   EXPECT_EQ(token_of_environment(), "another-token-of-some-length");
 }
 
 TEST_F(BearerTokenTest, InAFileThatOthersCanReadIsRefused) {
-  name_file(kToken, std::filesystem::perms::owner_read | std::filesystem::perms::group_read);
+  name_file(kSecret, std::filesystem::perms::owner_read | std::filesystem::perms::group_read);
   EXPECT_THROW(token_of_environment(), std::invalid_argument);
 }
 

@@ -9,9 +9,9 @@ namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-using testing::HasSubstr;
-using testing::SizeIs;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
 
 class CaseRoutesTest : public RouteFixture {};
 

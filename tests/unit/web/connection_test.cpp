@@ -12,7 +12,7 @@
 namespace capstan {
 namespace {
 
-class ConnectionTest : public testing::Test {
+class ConnectionTest : public ::testing::Test {
  protected:
   ConnectionTest() {
     int ends[2];

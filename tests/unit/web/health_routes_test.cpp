@@ -16,7 +16,7 @@ namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 class HealthRoutesTest : public RouteFixture {};
 

@@ -11,9 +11,9 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 class PageRoutesTest : public RouteFixture {};
 

@@ -5,9 +5,9 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 TEST(Response, HeadHasStatusLengthAndHeaders) {
   const Response response{201, "application/json", "{}", {{"Location", "/v1/studies/a"}}};

@@ -9,7 +9,7 @@ namespace capstan {
 namespace {
 
 using nlohmann::ordered_json;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 class RoutesTest : public RouteFixture {};
 

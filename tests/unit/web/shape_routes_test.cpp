@@ -9,8 +9,8 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 class ShapeRoutesTest : public RouteFixture {
  protected:

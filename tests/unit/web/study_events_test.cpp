@@ -7,9 +7,9 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 class StudyEventsTest : public ServiceFixture {
  protected:

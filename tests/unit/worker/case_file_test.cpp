@@ -11,10 +11,10 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
-using testing::SizeIs;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
 
-class CaseFile : public testing::Test {
+class CaseFile : public ::testing::Test {
  protected:
   ParsedCase read(const std::string& text) {
     overwrite(file_, text);
@@ -60,9 +60,9 @@ TEST_F(CaseFile, MissingFileIsAnExceptionThatNamesIt) {
 }
 
 TEST_F(CaseFile, IssuesArePrintedOneALineWithFileAndPointer) {
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   print_case_issues(file_, {{"/Ca", "is negative"}, {"", "is no object"}});
-  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
             file_.string() + ": /Ca: is negative\n" + file_.string() + ": is no object\n");
 }
 

@@ -15,11 +15,11 @@
 namespace capstan {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-class SolveCase : public testing::Test {
+class SolveCase : public ::testing::Test {
  protected:
   /// A sphere by boundary integrals, some hundredths of a second.
   static std::string sphere(double Ca = 0.1) {
@@ -30,9 +30,9 @@ class SolveCase : public testing::Test {
   /// The exit code; what was printed is in `printed_`.
   int solve(const std::string& text, const RunDirectory& directory, double wall_seconds = kNoLimit) {
     overwrite(root_.path() / "case.json", text);
-    testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStderr();
     const int code = solve_case(root_.path() / "case.json", directory.path(), wall_seconds);
-    printed_ = testing::internal::GetCapturedStderr();
+    printed_ = ::testing::internal::GetCapturedStderr();
     return code;
   }
 
@@ -71,7 +71,7 @@ TEST_F(SolveCase, FinishedRunIsDoneAgainWithTheSameAnswer) {
 
 TEST_F(SolveCase, InvalidCaseIsRefusedWithEveryIssueAndLeavesNoDirectory) {
   EXPECT_EQ(solve(R"({"Ca": -1, "colour": "red"})", run_), kExitInvalidInput);
-  EXPECT_THAT(printed_, testing::AllOf(HasSubstr("/Ca: "), HasSubstr("/colour: ")));
+  EXPECT_THAT(printed_, ::testing::AllOf(HasSubstr("/Ca: "), HasSubstr("/colour: ")));
   EXPECT_FALSE(std::filesystem::exists(run_.path()));
 }
 
@@ -109,9 +109,9 @@ TEST_F(SolveCase, DirectoryThatCannotBeMadeIsAnErrorThatNamesIt) {
 }
 
 TEST_F(SolveCase, MissingCaseFileIsAnErrorThatNamesIt) {
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   EXPECT_EQ(solve_case(root_.path() / "nowhere.json", run_.path(), kNoLimit), kExitError);
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("nowhere.json"));
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("nowhere.json"));
 }
 
 }  // namespace

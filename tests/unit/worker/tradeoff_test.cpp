@@ -19,7 +19,7 @@ TradeoffModel coarse_boundary_integrals() {
           {{"symmetry", {{"nodes", 162}, {"symmetry", "none"}}}, {"dx", {{"nodes", 162}, {"dx", 0.1}}}}};
 }
 
-class Tradeoff : public testing::Test {
+class Tradeoff : public ::testing::Test {
  protected:
   /// Of all settings, measured once for all tests.
   static const std::vector<TradeoffRow>& rows() {
@@ -51,7 +51,7 @@ TEST_F(Tradeoff, FlowWithoutItsSymmetryIsAsAccurate) {
 
 TEST_F(Tradeoff, SettingThatTheModelDoesNotHaveIsARowWithTheReason) {
   EXPECT_EQ(rows()[4]["stop"], "refused");
-  EXPECT_THAT(rows()[4]["message"].get<std::string>(), testing::HasSubstr("no effect"));
+  EXPECT_THAT(rows()[4]["message"].get<std::string>(), ::testing::HasSubstr("no effect"));
   EXPECT_TRUE(rows()[4]["seconds"].is_null());
 }
 

@@ -11,25 +11,25 @@
 namespace capstan {
 namespace {
 
-constexpr double kDx = 0.2;
-const GridGeometry kGrid{Vec3::Constant(kDx / 2), kDx};
+constexpr double kSpacing = 0.2;
+const GridGeometry kSymmetricGrid{Vec3::Constant(kSpacing / 2), kSpacing};
 
-struct Capsule {
+struct SymmetricCapsule {
   Icosphere sphere = make_icosphere(3);
   Orbits orbits = Orbits::of(sphere.directions);
   Points positions, normals, vectors;
 
   /// A bumped sphere, and vectors at its vertices, both with the symmetry.
-  Capsule()
+  SymmetricCapsule()
       : positions(orbits.extend(orbits.restrict(testing::bumped(sphere.directions, 0.02)))),
         normals(orbits.extend(orbits.restrict(vertex_normals(positions, sphere.mesh.faces)))),
         vectors(orbits.extend(orbits.restrict(testing::bumped(Points::Zero(3, positions.cols()), 1)))) {}
 };
 
 TEST(SymmetricBoundary, SpreadsInItsQuarterWhatTheWholeMembraneSpreadsThere) {
-  const Capsule capsule;
-  SymmetricBoundary quarter(kGrid, capsule.orbits),
-      whole(kGrid, Orbits::without_symmetry(int(capsule.positions.cols())));
+  const SymmetricCapsule capsule;
+  SymmetricBoundary quarter(kSymmetricGrid, capsule.orbits),
+      whole(kSymmetricGrid, Orbits::without_symmetry(int(capsule.positions.cols())));
   ASSERT_TRUE(quarter.place(capsule.positions, capsule.normals) &&
               whole.place(capsule.positions, capsule.normals));
   ASSERT_TRUE(quarter.has_symmetry() && !whole.has_symmetry());
@@ -54,8 +54,8 @@ struct ThereAndBack {
   VectorField forces;
   Points velocities;
 };
-ThereAndBack there_and_back(const Capsule& capsule) {
-  SymmetricBoundary boundary(kGrid, capsule.orbits);
+ThereAndBack there_and_back(const SymmetricCapsule& capsule) {
+  SymmetricBoundary boundary(kSymmetricGrid, capsule.orbits);
   EXPECT_TRUE(boundary.place(capsule.positions, capsule.normals));
   ThereAndBack result;
   boundary.spread(capsule.vectors, Points(3, 0), 1, result.forces);
@@ -64,7 +64,7 @@ ThereAndBack there_and_back(const Capsule& capsule) {
 }
 
 TEST(SymmetricBoundary, SpreadingAndInterpolatingAreAdjoint) {
-  const Capsule capsule;
+  const SymmetricCapsule capsule;
   const auto [forces, velocities] = there_and_back(capsule);
   double on_grid = 0;
   for (double number : forces.values()) on_grid += number * number;
@@ -72,7 +72,7 @@ TEST(SymmetricBoundary, SpreadingAndInterpolatingAreAdjoint) {
 }
 
 TEST(SymmetricBoundary, VelocitiesHaveTheSymmetryBitForBit) {
-  const Capsule capsule;
+  const SymmetricCapsule capsule;
   const auto [forces, velocities] = there_and_back(capsule);
   EXPECT_EQ(velocities, capsule.orbits.extend(capsule.orbits.restrict(velocities)));
 }
