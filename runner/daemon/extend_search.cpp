@@ -6,7 +6,7 @@
 #include "runner/daemon/case_rows.hpp"
 #include "runner/daemon/next_points.hpp"
 #include "runner/daemon/points.hpp"
-#include "runner/study/study_boundary.hpp"
+#include "runner/study/study_base.hpp"
 
 namespace capstan {
 namespace {

@@ -135,15 +135,6 @@ BoundaryParts read_boundary(const json& given, IssueCollector& issues) {
   return parts;
 }
 
-json base_of(const json& document) {
-  json base = document["base"];
-  if (!document.contains("boundary")) return base;
-  json& until = base["until"];
-  if (until.is_null()) until = json::object();
-  if (until.is_object() && !until.contains("classified")) until["classified"] = true;
-  return base;
-}
-
 std::optional<StudyBoundary> boundary_of(const json& document) {
   if (!document.contains("boundary")) return std::nullopt;
   Issues issues;

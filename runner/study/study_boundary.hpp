@@ -39,10 +39,6 @@ BoundaryParts read_boundary(const nlohmann::json& given, IssueCollector& issues)
 /// The keys of "boundary".
 const std::vector<std::string_view>& boundary_keys();
 
-/// The base of a study's cases, as its document has it. Where a boundary is sought, runs end as soon as their
-/// label is certain, unless the base says otherwise.
-nlohmann::json base_of(const nlohmann::json& document);
-
 /// The boundary of a study that was valid when it was stored; nothing if it has none.
 std::optional<StudyBoundary> boundary_of(const nlohmann::json& document);
 

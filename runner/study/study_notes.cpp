@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "runner/study/study_base.hpp"
+
 namespace capstan {
 namespace {
 
@@ -66,6 +68,10 @@ std::vector<std::string> notes_on(const Study& study, const DroppedKeys& dropped
   add_equal_points(study, notes);
   if (study.boundary || study.refinement)
     notes.emplace_back("these are the first points; further ones follow where the motion changes");
+  if (ends_runs_early(study.document))
+    notes.emplace_back(
+        "runs end as soon as their label is certain (\"until\": {\"classified\": false} computes all to the "
+        "end)");
   return notes;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "runner/study/study_base.hpp"
+
 namespace capstan {
 namespace {
 

@@ -22,7 +22,7 @@ class ReportingRecorder : public RunRecorder {
   ReportingRecorder(const fs::path& out, const Case& c, const Choices& choices, double end_seconds)
       : RunRecorder(out, c, choices,
                     [=] { return is_interruption_wanted() || steady_seconds() > end_seconds; }),
-        progress_(c.until.kt) {}
+        progress_(c.until) {}
 
   void record(const Record& record) override {
     check_attempt();

@@ -50,10 +50,13 @@ struct UniformCurvature {
 };
 using SpontaneousCurvature = std::variant<InitialCurvature, UniformCurvature, double>;
 
-/// A run ends at shear time `kt`. If `classified` is true it ends earlier, as soon as its label is certain.
+/// A run ends at shear time `kt`. If `classified` is true it ends earlier, as soon as its label is certain,
+/// and goes on beyond `kt` while it is undecided, to `at_most` at the latest.
 struct Until {
   double kt = 30;
   bool classified = false;
+  double at_most = 0;  ///< shear time kt, only if classified
+  double last() const { return classified ? at_most : kt; }
   bool operator==(const Until&) const = default;
 };
 

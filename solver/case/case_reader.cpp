@@ -5,6 +5,7 @@
 #include "solver/case/choose_fluid.hpp"
 #include "solver/case/grid_size.hpp"
 #include "solver/case/ladder.hpp"
+#include "solver/case/limits.hpp"
 #include "solver/case/nearest_word.hpp"
 #include "solver/case/shown_number.hpp"
 #include "solver/case/time_step_defaults.hpp"
@@ -104,6 +105,15 @@ void CaseReader::read_group(const ParameterGroup& group) {
   for (const Parameter& parameter : parameters())
     if (parameter.group == group.key) read_parameter(parameter);
   check_unknown_keys("/" + group.key, *object, keys_of_group(group.key));
+  if (group.key == "until") choose_latest_end();
+}
+
+/// The latest end of a run that goes on while its motion is undecided, if the file leaves it to the solver.
+void CaseReader::choose_latest_end() {
+  constexpr double kDefault = 3;
+  Until& until = case_.until;
+  if (until.classified && !document_["until"].contains("at_most"))
+    until.at_most = std::min(kDefault * until.kt, kMaxTime);
 }
 
 void CaseReader::read_fidelity() {

@@ -28,6 +28,7 @@ class CaseReader {
   void settle_fluid();
   void leave_out_inertia();
   void read_group(const ParameterGroup& group);
+  void choose_latest_end();
   void read_fidelity();
   /// Takes the settings of a preset.
   /// \param pointer  to the name of the preset in the document

@@ -16,17 +16,19 @@ namespace capstan {
 namespace {
 
 double transient_steps(const Case& c) {
-  return c.fluid == Fluid::transient ? c.until.kt / transient_units(c).kdt : 0;
+  return c.fluid == Fluid::transient ? c.until.last() / transient_units(c).kdt : 0;
 }
 
 double equal_steps(const Case& c) {
   const bool are_equal = c.fluid != Fluid::transient && c.fidelity.kdt > 0;
-  return are_equal ? c.until.kt / c.fidelity.kdt : 0;
+  return are_equal ? c.until.last() / c.fidelity.kdt : 0;
 }
 
-double records(const Case& c) { return c.until.kt / c.outputs.history_every; }
+double records(const Case& c) { return c.until.last() / c.outputs.history_every; }
 
-double shapes(const Case& c) { return c.outputs.shapes_every > 0 ? c.until.kt / c.outputs.shapes_every : 0; }
+double shapes(const Case& c) {
+  return c.outputs.shapes_every > 0 ? c.until.last() / c.outputs.shapes_every : 0;
+}
 
 double gigabytes_of_shapes(const Case& c) { return shapes_size(c) / 1e9; }
 

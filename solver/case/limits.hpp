@@ -9,6 +9,7 @@ namespace capstan {
 /// Minimum shear time kt of a run, of a step of ab2, and between two records or shapes. Times are stored to
 /// 1e-9.
 inline constexpr double kMinTime = 1e-6;
+inline constexpr double kMaxTime = 10000;  ///< shear time kt
 
 /// An issue for each limit that a case exceeds, with what to change. Empty for a case that can be run.
 Issues limits_exceeded(const Case& c);

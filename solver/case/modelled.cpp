@@ -73,7 +73,10 @@ std::vector<std::string> modelled(const Case& c) {
   std::vector<std::string> phrases = {capsule(c), membrane(c), fluids(c), flow(c)};
   if (c.has_grid()) phrases.push_back(walls(c));
   phrases.push_back(time_step(c));
-  if (c.until.classified) phrases.emplace_back("end: as soon as more time would not change the label");
+  if (c.until.classified)
+    phrases.emplace_back(
+        "end: as soon as more time would not change the label; beyond kt = " + shown(c.until.kt) +
+        " only while the motion is undecided, to kt = " + shown(c.until.at_most) + " at the latest");
   return phrases;
 }
 

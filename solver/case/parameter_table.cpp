@@ -28,6 +28,14 @@ Value checkpoint_interval() {
                                             Range{0, 1000000});
 }
 
+Value latest_end() {
+  const auto range_in = [](const Case& c) {
+    return std::optional(Range{c.until.kt, kMaxTime, ", as it is no earlier than kt"});
+  };
+  return std::make_shared<NumberValue>(place_of(&Case::until, &Until::at_most), range_in,
+                                       Range{kMinTime, kMaxTime});
+}
+
 bool has_aspect(const Case& c) { return c.has_aspect(); }
 bool has_bending(const Case& c) { return c.has_bending(); }
 bool has_grid(const Case& c) { return c.has_grid(); }
@@ -39,6 +47,7 @@ bool chooses_stepper(const Case& c) { return c.fluid != Fluid::unsteady; }
 bool chooses_scheme(const Case& c) { return c.fluid != Fluid::unsteady; }
 bool has_fixed_settings(const Case& c) { return c.fidelity.error == 0; }
 bool has_error_asked_for(const Case& c) { return c.fidelity.error > 0; }
+bool ends_when_classified(const Case& c) { return c.until.classified; }
 bool has_equal_steps(const Case& c) { return c.fidelity.stepper == Stepper::adams_bashforth; }
 
 Condition needs_aspect() { return {has_aspect, "only oblate and prolate shapes have an aspect", "shape"}; }
@@ -57,6 +66,7 @@ Condition needs_ladder() {
   return {has_ladder, "only boundary integrals and the composite grid have a ladder"};
 }
 Condition needs_fixed_settings() { return {has_fixed_settings, "it follows from the error asked for"}; }
+Condition needs_classification() { return {ends_when_classified, "without classified a run ends at kt"}; }
 Condition needs_error_asked_for() { return {has_error_asked_for, ""}; }
 Condition needs_equal_steps() { return {has_equal_steps, "rkc2 chooses its steps by their error"}; }
 Condition needs_solution() {
@@ -138,12 +148,17 @@ std::vector<Parameter> model_parameters() {
 std::vector<Parameter> until_parameters() {
   return {
       {.key = "kt",
-       .value = number({kMinTime, 10000}, &Case::until, &Until::kt),
+       .value = number({kMinTime, kMaxTime}, &Case::until, &Until::kt),
        .description = "Shear time."},
       {.key = "classified",
        .value = boolean(&Case::until, &Until::classified),
        .description =
-           "End earlier, as soon as more time would not change the label, or the shape is steady."},
+           "End earlier, as soon as more time would not change the label, or the shape is steady; and go on "
+           "beyond kt while the motion is undecided."},
+      {.key = "at_most",
+       .value = latest_end(),
+       .conditions = {needs_classification()},
+       .description = "Shear time at which a run ends even if it is undecided. By default 3 kt."},
   };
 }
 

@@ -6,7 +6,7 @@ namespace capstan {
 
 enum class Stop {
   reached_end,
-  classified,     ///< before the end: more time would not change the label
+  classified,     ///< more time would not change the label; or, after until.kt, there is one at last
   steady,         ///< before the end: the shape does not change any more
   diverged,       ///< numbers are not finite, or the membrane has lost its shape
   not_converged,  ///< the flow solver did not reach its tolerance

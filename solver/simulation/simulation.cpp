@@ -38,10 +38,12 @@ Outcome Simulation::run(RunOutput& output) {
 }
 
 /// If the flow model imposes the time step, all steps have equal length, and the last one ends after the end
-/// of the run.
+/// of the run. Otherwise a step ends at until.kt, also if the run then goes on.
 std::optional<Outcome> Simulation::step() {
   const VelocityField field = [this](double at, const Points& x, Points& u) { return solve_flow(at, x, u); };
-  const double end = flow_->imposed_time_step() ? std::numeric_limits<double>::infinity() : case_.until.kt;
+  const Until& until = case_.until;
+  double end = now_.kt < until.kt ? until.kt : until.last();
+  if (flow_->imposed_time_step()) end = std::numeric_limits<double>::infinity();
   before_ = now_;
   const StepReport step =
       stepper_->advance(field, before_.kt, end, before_.velocities, now_.positions);  // eqs. 37, 38
@@ -84,13 +86,13 @@ Simulation::Simulation(const Case& c)
       membrane_(c, sphere_.mesh, reference_, orbits_),
       flow_(make_flow(c, sphere_.mesh, reference_, orbits_)),
       stepper_(make_stepper(c, flow_->imposed_time_step())),
-      record_times_(c.outputs.history_every, c.until.kt),
+      record_times_(c.outputs.history_every, c.until.last()),
       tracker_(reference_, faces()),
       initial_volume_(volume(reference_, faces())),
       initial_area_(area(reference_, faces())) {
   now_.velocities = now_.forces = Points::Zero(3, now_.positions.cols());
   solved_ = {0, Points::Zero(3, now_.positions.cols()), now_.velocities, now_.forces};
-  if (c.outputs.shapes_every > 0) shape_times_.emplace(c.outputs.shapes_every, c.until.kt);
+  if (c.outputs.shapes_every > 0) shape_times_.emplace(c.outputs.shapes_every, c.until.last());
 }
 
 std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
@@ -186,7 +188,7 @@ void Simulation::record(const MembraneState& state, RunOutput& output) {
 
 void Simulation::sample_motion() {
   const bool is_due = samples_.empty() || is_reached(samples_.back().kt + kSampleInterval);
-  if (!is_due && now_.kt < case_.until.kt) return;
+  if (!is_due && !passes(case_.until.kt) && !passes(case_.until.last())) return;
   samples_.push_back(tracker_.observe(now_.kt, now_.positions));
   const auto drift = [](double now, double initial) { return std::abs(now / initial - 1); };
   statistics_.volume_drift =
@@ -198,18 +200,29 @@ void Simulation::sample_motion() {
 
 Verdict Simulation::verdict() const { return limited_by_surface(classify(samples_), surface_); }
 
-/// Whether the run has reached its end, or may end early because its label is certain. The label is tested
-/// only after each growth of kt by 1 %, because the time of a classification is proportional to the length of
-/// the run.
+/// Whether the run has reached its end, may end early because its label is certain, or, after until.kt, has a
+/// label at last. The label is tested only after each growth of kt by 1 %, because the time of a
+/// classification is proportional to the length of the run.
 std::optional<Outcome> Simulation::finished(RunOutput& output) {
-  if (now_.kt >= case_.until.kt) return Outcome{Stop::reached_end};
+  const Until& until = case_.until;
+  if (now_.kt >= until.last()) return ended(Stop::reached_end, until.last(), output);
+  if (!until.classified) return std::nullopt;
   const auto hundredths = [](double kt) { return std::floor(std::log(kt) / 0.01); };
-  if (!case_.until.classified || hundredths(now_.kt) == hundredths(before_.kt)) return std::nullopt;
+  const bool at_kt = passes(until.kt);
+  if (!at_kt && hundredths(now_.kt) == hundredths(before_.kt)) return std::nullopt;
   const Verdict label = verdict();
-  if (!label.steady && !label.certain) return std::nullopt;
-  if (history_.back()["kt"] < now_.kt) record(now_, output);
-  if (shape_times_ && !has_shape_at(now_.kt)) write_shape(now_, output);
-  return Outcome{label.steady ? Stop::steady : Stop::classified};
+  if (at_kt && label.motion != Motion::undecided) return ended(Stop::reached_end, until.kt, output);
+  if (label.steady) return ended(Stop::steady, now_.kt, output);
+  if (label.certain || (now_.kt > until.kt && label.motion != Motion::undecided))
+    return ended(Stop::classified, now_.kt, output);
+  return std::nullopt;
+}
+
+/// Writes a record and a shape of the end, if their times do not include it.
+Outcome Simulation::ended(Stop stop, double kt, RunOutput& output) {
+  if (history_.back()["kt"] < kt) record(state_at(kt), output);
+  if (shape_times_ && !has_shape_at(kt)) write_shape(state_at(kt), output);
+  return {stop};
 }
 
 }  // namespace capstan

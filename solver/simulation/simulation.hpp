@@ -70,6 +70,8 @@ class Simulation {
   std::optional<Outcome> refusal(const StepReport& step);
   Outcome stopped(Stop stop, const std::string& what) const;
   std::optional<Outcome> finished(RunOutput& output);
+  Outcome ended(Stop stop, double kt, RunOutput& output);
+  bool passes(double kt) const { return before_.kt < kt && now_.kt >= kt; }
   void count(const FlowReport& flow);
   void write_due_output(RunOutput& output);
   bool is_reached(double kt) const;

@@ -357,6 +357,7 @@ TEST(CaseId, IsChangedByEveryParameter) {
                                                   {"/fluid", "unsteady"},
                                                   {"/until/kt", 31},
                                                   {"/until/classified", true},
+                                                  {"/until", {{"classified", true}, {"at_most", 50}}},
                                                   {"/fidelity/dx", 0.2},
                                                   {"/fidelity/box", 6.4},
                                                   {"/fidelity/nodes", 642},

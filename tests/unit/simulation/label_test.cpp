@@ -25,6 +25,8 @@ Ended run(const std::string& parameters, const std::string& until, const std::st
   return {stop, simulation.kt(), output.records.back()["kt"], simulation.verdict()};
 }
 
+const std::string kTumblingSpheroid = R"("shape": "oblate", "aspect": 0.5, "Ca": 0.0094, "E_b": 0.005)";
+
 TEST(EarlyEnd, ASteadySphereStopsAsSteadyAndTankTreads) {
   const Ended sphere = run(R"("Ca": 0.05)", R"({"kt": 30, "classified": true})");
   EXPECT_EQ(sphere.stop, Stop::steady);
@@ -49,11 +51,31 @@ TEST(EarlyEnd, ASteadySphereRunsToItsEndWithoutUntilClassified) {
 }
 
 TEST(EarlyEnd, ATumblingSpheroidEndsClassified) {
-  const std::string spheroid = R"("shape": "oblate", "aspect": 0.5, "Ca": 0.0094, "E_b": 0.005)";
-  const Ended early = run(spheroid, R"({"kt": 30, "classified": true})");
+  const Ended early = run(kTumblingSpheroid, R"({"kt": 30, "classified": true})");
   EXPECT_EQ(early.stop, Stop::classified);
   EXPECT_LT(early.kt, 15);
   EXPECT_EQ(early.verdict.motion, Motion::tumbling);
+}
+
+TEST(LaterEnd, ARunThatIsUndecidedAtKtEndsWhenItHasALabel) {
+  const Ended late = run(kTumblingSpheroid, R"({"kt": 5, "classified": true})");
+  EXPECT_EQ(late.stop, Stop::classified);
+  EXPECT_GT(late.kt, 5);
+  EXPECT_LT(late.kt, 15);
+  EXPECT_EQ(late.last_recorded_kt, late.kt);
+  EXPECT_NE(late.verdict.motion, Motion::undecided);
+}
+
+TEST(LaterEnd, ARunThatStaysUndecidedEndsAtItsLatestTime) {
+  const Ended undecided = run(kTumblingSpheroid, R"({"kt": 5, "classified": true, "at_most": 6.03})");
+  EXPECT_EQ(undecided.stop, Stop::reached_end);
+  EXPECT_EQ(undecided.kt, 6.03);
+  EXPECT_EQ(undecided.last_recorded_kt, 6.03);
+  EXPECT_EQ(undecided.verdict.motion, Motion::undecided);
+}
+
+TEST(LaterEnd, ARunWithoutClassifiedEndsAtKtThoughItIsUndecided) {
+  EXPECT_EQ(run(kTumblingSpheroid, R"({"kt": 5})").kt, 5);
 }
 
 TEST(Label, OfASphereWithAViscousInteriorIsTankTreading) {

@@ -107,6 +107,23 @@ TEST(Resume, AnEarlyEndHasTheSameTimeAndEvidence) {
   }
 }
 
+TEST(Resume, ALaterEndHasTheSameHistory) {
+  const Case c =
+      parsed_case(R"({"shape": "oblate", "aspect": 0.5, "Ca": 0.0094, "E_b": 0.005, "fluid": "stokes",
+    "until": {"kt": 5, "classified": true}, "outputs": {"history_every": 0.3}, "fidelity": {"nodes": 162}})");
+  MemoryOutput whole;
+  whole.checkpoint_every = 40;
+  Simulation uninterrupted(c);
+  EXPECT_EQ(uninterrupted.run(whole).stop, Stop::classified);
+  ASSERT_GE(whole.checkpoints.size(), 2u);
+  EXPECT_GT(whole.checkpoints.back().number("kt"), 5);
+  MemoryOutput rest;
+  Simulation resumed(c);
+  resumed.load(whole.checkpoints.back());
+  EXPECT_EQ(resumed.run(rest).stop, Stop::classified);
+  EXPECT_EQ(resumed.history(), uninterrupted.history());
+}
+
 TEST(Resume, AnInterruptionWritesACheckpointOfItsStep) {
   const Case c = parsed_case(R"({"Ca": 0.1, "until": {"kt": 0.4}, "outputs": {"checkpoint_every": 100},
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})");

@@ -1,0 +1,32 @@
+#include "runner/study/study_base.hpp"
+
+#include "solver/case/parameters.hpp"
+
+namespace capstan {
+namespace {
+
+using nlohmann::json;
+
+int axes_of_numbers(const json& document) {
+  int count = 0;
+  const json axes = document.value("axes", json::object());
+  for (const auto& [name, values] : axes.items())
+    if (const Parameter* parameter = find_parameter(name)) count += parameter->value->takes_numbers();
+  return count;
+}
+
+}  // namespace
+
+bool ends_runs_early(const json& document) {
+  const json until = document["base"].value("until", json::object());
+  const bool may_choose = until.is_object() && !until.contains("classified");
+  return may_choose && (document.contains("boundary") || axes_of_numbers(document) >= 2);
+}
+
+json base_of(const json& document) {
+  json base = document["base"];
+  if (ends_runs_early(document)) base["until"]["classified"] = true;
+  return base;
+}
+
+}  // namespace capstan
