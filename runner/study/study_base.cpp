@@ -7,11 +7,13 @@ namespace {
 
 using nlohmann::json;
 
+/// With more than one value: a list, or a range.
 int axes_of_numbers(const json& document) {
   int count = 0;
   const json axes = document.value("axes", json::object());
   for (const auto& [name, values] : axes.items())
-    if (const Parameter* parameter = find_parameter(name)) count += parameter->value->takes_numbers();
+    if (const Parameter* parameter = find_parameter(name); parameter && values.size() > 1)
+      count += parameter->value->takes_numbers();
   return count;
 }
 

@@ -21,7 +21,8 @@ const json kCases[] = {{{"Ca", 0.1}},
                        {{"Ca", 0.1}, {"law", "skalak"}, {"C", 1}, {"fluid", "quasisteady"}},
                        {{"Ca", 0.1}, {"fluid", "quasisteady"}, {"fidelity", "paper"}},
                        {{"Ca", 0.1}, {"fluid", "transient"}},
-                       {{"Ca", 0.1}, {"fidelity", {{"error", 0.01}}}}};
+                       {{"Ca", 0.1}, {"fidelity", {{"error", 0.01}}}},
+                       {{"Ca", 0.1}, {"until", {{"classified", true}}}}};
 
 TEST(Parameters, HaveDifferentPointersAndAreDescribed) {
   std::set<std::string> pointers;

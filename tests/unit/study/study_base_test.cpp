@@ -26,6 +26,7 @@ TEST(StudyBase, RunsOfAPhaseDiagramGoToTheEndIfTheBaseSaysSo) {
 }
 
 TEST(StudyBase, CurvesOverOneNumberAreComputedToTheEnd) {
+  EXPECT_FALSE(is_classified(json::object(), {{"Ca", {0.1, 0.2}}, {"V", json::array({2})}}));
   EXPECT_FALSE(is_classified(json::object(), {{"Ca", {0.1, 0.2}}}));
   EXPECT_FALSE(is_classified(json::object(), {{"Ca", {0.1, 0.2}}, {"fluid", {"stokes", "quasisteady"}}}));
 }
