@@ -98,7 +98,8 @@ fig16b() { histories fig16b; }
 fig17() {
   id=$(compute fig17/study.json)
   result fig17 "$id"
-  picture fig17/phase_diagram.svg "$id"
+  # shellcheck disable=SC2046
+  picture fig17/phase_diagram.svg "$id" $(published boundary_of_fig17)
   picture fig17/path_of_Q_V4.svg "$id" --of path --at V=4
 }
 fig18() {
@@ -106,9 +107,15 @@ fig18() {
   gnuplot fig18/plot.gp
 }
 table1() { benchmark table1 table1; }
+# shellcheck disable=SC2046
+boundary() {
+  id=$(compute boundary/study.json)
+  "$capstan" boundary "$id" --format csv >boundary/boundary.csv
+  picture boundary/boundary.svg "$id" $(published boundary_of_fig17)
+}
 
 [ $# -gt 0 ] || set -- fig02 fig05a fig05b fig06 fig07a fig07b fig08 fig09 fig10 fig11 fig12 fig13 fig14 fig15 \
-  fig16a fig16b fig17 fig18 table1
+  fig16a fig16b fig17 boundary fig18 table1
 for folder in "$@"; do
   "$folder"
   echo "studies/$folder"

@@ -78,7 +78,7 @@ struct StudyArguments {
   bool json = false;
   std::string server = kDefaultServer;
 };
-int list_studies(const StudyArguments& arguments);  ///< ignores `ids`
+int print_studies(const StudyArguments& arguments);  ///< ignores `ids`
 int show_studies(const StudyArguments& arguments);
 int watch_studies(const StudyArguments& arguments);
 int print_results(const StudyArguments& arguments);

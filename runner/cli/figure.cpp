@@ -65,6 +65,15 @@ std::vector<PublishedSeries> published_of(const FigureArguments& arguments,
   return all;
 }
 
+std::vector<PublishedBoundary> published_boundaries_of(const FigureArguments& arguments,
+                                                       const PhaseDiagram& diagram) {
+  std::vector<PublishedBoundary> all;
+  for (const std::string& file : arguments.published)
+    std::ranges::move(published_boundaries(file, diagram.x.parameter, diagram.y.parameter),
+                      std::back_inserter(all));
+  return all;
+}
+
 std::string script_of(Client& client, const FigureArguments& arguments, const PictureFormat& format) {
   const std::vector<std::string> paths = resolve_all(client, arguments.ids, path_of_any);
   const std::string kind = kind_of(client, arguments, paths);
@@ -78,9 +87,10 @@ std::string script_of(Client& client, const FigureArguments& arguments, const Pi
   if (paths.size() != 1 || !is_study(paths[0]))
     throw std::invalid_argument("a phase diagram is of one study; for cases take --of history or --of path");
   const bool has_boundary = !client.get(paths[0])["boundary"].is_null();
-  return phase_diagram_script(
-      phase_diagram_from_json(client.get(paths[0] + "/phase-diagram", section_query(arguments))),
-      has_boundary ? client.get(paths[0] + "/boundary") : ordered_json(), format);
+  const PhaseDiagram diagram =
+      phase_diagram_from_json(client.get(paths[0] + "/phase-diagram", section_query(arguments)));
+  return phase_diagram_script(diagram, has_boundary ? client.get(paths[0] + "/boundary") : ordered_json(),
+                              published_boundaries_of(arguments, diagram), format);
 }
 
 }  // namespace

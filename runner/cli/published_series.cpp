@@ -69,9 +69,16 @@ std::string name_of(const std::filesystem::path& file) {
   return name;
 }
 
-PublishedSeries& series_named(const std::string& title, std::vector<PublishedSeries>& all) {
-  const auto found = std::ranges::find(all, title, &PublishedSeries::title);
-  return found != all.end() ? *found : all.emplace_back(PublishedSeries{title, {}});
+/// The paper of a row; without such a column the name of the file.
+std::string source_of(const Row& row, const std::filesystem::path& file) {
+  const auto paper = row.find("paper");
+  return paper == row.end() ? name_of(file) : paper->second;
+}
+
+template <class Series>
+Series& series_named(const std::string& title, std::vector<Series>& all) {
+  const auto found = std::ranges::find(all, title, &Series::title);
+  return found != all.end() ? *found : all.emplace_back(Series{title, {}});
 }
 
 }  // namespace
@@ -85,8 +92,20 @@ std::vector<PublishedSeries> published_series(const std::filesystem::path& file,
     const PublishedPoint point{number_in(row, "kt"), number_in(row, "D_xy"), number_in(row, "theta")};
     if (!std::isfinite(point.kt) || std::ranges::none_of(cases, [&](const auto& c) { return fits(row, c); }))
       continue;
-    const auto paper = row.find("paper");
-    series_named(paper == row.end() ? name_of(file) : paper->second, all).points.push_back(point);
+    series_named(source_of(row, file), all).points.push_back(point);
+  }
+  return all;
+}
+
+std::vector<PublishedBoundary> published_boundaries(const std::filesystem::path& file, const std::string& x,
+                                                    const std::string& y) {
+  std::vector<PublishedBoundary> all;
+  for (const Row& row : rows_of(read_input(file))) {
+    if (!row.contains(x) || !row.contains(y))
+      throw std::invalid_argument(input_name(file) + " needs the columns " + x + " and " + y);
+    const double at_x = number_in(row, x), at_y = number_in(row, y);
+    if (std::isfinite(at_x) && std::isfinite(at_y))
+      series_named(source_of(row, file), all).points.push_back({at_x, at_y});
   }
   return all;
 }

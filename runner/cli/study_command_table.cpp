@@ -169,7 +169,8 @@ void add_picture(CLI::App& parser, FigureArguments& arguments) {
       .add_option(
           "--published", arguments.published,
           "CSV of published points to draw beside histories, once a file; columns: kt, D_xy, theta (in "
-          "units of pi), paper, and parameters such as Ca, of which only the values of the cases are drawn")
+          "units of pi), paper, and parameters such as Ca, of which only the values of the cases are drawn. "
+          "In a phase diagram: points of a boundary, columns: its two axes, paper")
       ->type_name("FILE")
       ->allow_extra_args(false);
   parser.add_flag("--wide", arguments.is_wide,
@@ -248,7 +249,7 @@ std::vector<Command> study_commands() {
       command<Studies>("studies", "list all studies, the newest first", {json, server},
                        "A study is queued, running, paused, done (all its cases have ended) or cancelled.\n"
                        "Example:\n  capstan studies\n",
-                       list_studies),
+                       print_studies),
       command<Studies>("show", "one study: its axes, progress and motions", {study_ids, json, server},
                        "Example:\n  capstan show quickstart-3f9c\n", show_studies),
       watch_command(),

@@ -56,7 +56,7 @@ Table table_of_studies(const ordered_json& studies) {
 
 }  // namespace
 
-int list_studies(const StudyArguments& arguments) {
+int print_studies(const StudyArguments& arguments) {
   const ordered_json studies = Client(arguments.server).get_all("/v1/studies", "studies");
   std::cout << (arguments.json ? ordered_json{{"studies", studies}}.dump(2) + "\n"
                                : as_text(table_of_studies(studies)));

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "runner/render/boundary_picture.hpp"
 #include "runner/study/shown_value.hpp"
@@ -81,18 +84,47 @@ struct Series {
   std::string block, data, plot;
 };
 
+std::string marks(const std::string& what, int type, const std::string& colour, const std::string& title) {
+  return what + " with points pt " + std::to_string(type) + " ps 0.9 lc rgb '" + colour + "' " +
+         (title.empty() ? "notitle" : "title '" + title + "'");
+}
+
+/// Each motion stands in the key once, and what open marks mean once for all.
 std::vector<Series> all_series(const PhaseDiagram& diagram) {
   std::vector<Series> series;
-  for (const Symbol& symbol : kSymbols)
+  bool has_open = false;
+  for (const Symbol& symbol : kSymbols) {
+    std::string title = symbol.title;
     for (const bool filled : {true, false}) {
       std::string data = points(diagram, symbol, filled);
       if (data.empty()) continue;
+      has_open = has_open || !filled;
       const std::string block = std::string("$") + symbol.name + (filled ? "" : "_not_confirmed");
-      const std::string title = std::string(symbol.title) + (filled ? "" : ", not confirmed");
-      series.push_back({block, std::move(data),
-                        block + " with points pt " + std::to_string(filled ? symbol.filled : symbol.open) +
-                            " ps 0.9 lc rgb '" + symbol.colour + "' title '" + title + "'"});
+      series.push_back(
+          {block, std::move(data),
+           marks(block, filled ? symbol.filled : symbol.open, symbol.colour, std::exchange(title, ""))});
     }
+  }
+  if (has_open) series.push_back({"", "", marks("NaN", 6, "#606060", "open: not confirmed")});
+  return series;
+}
+
+/// Height over width of a picture with this number of entries in its key of two columns.
+double height_with(std::size_t entries) { return 0.72 + 0.065 * std::ceil(double(entries) / 2); }
+
+/// Stars, crosses, ..
+std::vector<Series> published_series_of(const std::vector<PublishedBoundary>& published) {
+  constexpr std::array kPointTypes = {3, 2, 1, 10, 14};
+  std::vector<Series> series;
+  for (const PublishedBoundary& boundary : published) {
+    std::string data;
+    for (const auto& [x, y] : boundary.points) data += shown(x) + " " + shown(y) + "\n";
+    const std::string number = std::to_string(series.size() + 1), block = "$published_" + number;
+    const int type = kPointTypes[series.size() % kPointTypes.size()];
+    series.push_back({block, std::move(data),
+                      block + " with points pt " + std::to_string(type) +
+                          " ps 1.4 lw 1.5 lc rgb 'black' title " + quoted_text(boundary.title)});
+  }
   return series;
 }
 
@@ -106,16 +138,21 @@ std::string title(const PhaseDiagram& diagram) {
 }  // namespace
 
 std::string phase_diagram_script(const PhaseDiagram& diagram, const nlohmann::ordered_json& boundary,
+                                 const std::vector<PublishedBoundary>& published,
                                  const PictureFormat& format) {
-  std::string script = picture_head(format, 0.85) + title(diagram) + scale("x", diagram.x) +
-                       scale("y", diagram.y) + tics("x", diagram.x) + tics("y", diagram.y) + "set xlabel " +
-                       symbol(diagram.x.parameter) + "\nset ylabel " + symbol(diagram.y.parameter) +
-                       "\nset key below Left reverse maxcols 2 samplen 1 spacing 1.1\n";
+  std::vector<Series> all = all_series(diagram);
+  if (has_numbers(diagram.x) && has_numbers(diagram.y))
+    std::ranges::move(published_series_of(published), std::back_inserter(all));
+  std::string script = picture_head(format, height_with(all.size() + 1)) + title(diagram) +
+                       scale("x", diagram.x) + scale("y", diagram.y) + tics("x", diagram.x) +
+                       tics("y", diagram.y) + "set xlabel " + symbol(diagram.x.parameter) + "\nset ylabel " +
+                       symbol(diagram.y.parameter) +
+                       "\nset key below Left reverse maxcols 2 samplen 0.6 spacing 1.1 width -4\n";
   const BoundaryDrawing drawing = boundary_drawing(diagram, boundary);
   script += drawing.blocks;
   std::string plots;
-  for (const Series& each : all_series(diagram)) {
-    script += each.block + " << END\n" + each.data + "END\n";
+  for (const Series& each : all) {
+    if (!each.block.empty()) script += each.block + " << END\n" + each.data + "END\n";
     plots += (plots.empty() ? "plot " + drawing.behind : ", \\\n     ") + each.plot;
   }
   return script + (plots.empty() ? "plot NaN notitle" : plots + drawing.before) + "\n";

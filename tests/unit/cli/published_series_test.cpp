@@ -20,9 +20,19 @@ class PublishedSeriesTest : public ::testing::Test {
     return published_series(file, cases);
   }
 
- private:
+ protected:
   TemporaryDirectory directory_;
 };
+
+TEST_F(PublishedSeriesTest, BoundariesHaveThePointsWithNumbersOnBothAxes) {
+  const std::filesystem::path file = directory_.path() / "boundary.csv";
+  std::ofstream(file) << "paper,V,Ca\nA 1998,4,0.4\nB 2008,4,0.41\nA 1998,5,none\n";
+  const auto boundaries = published_boundaries(file, "Ca", "V");
+  ASSERT_EQ(boundaries.size(), 2u);
+  EXPECT_EQ(boundaries[0].title, "A 1998");
+  EXPECT_EQ(boundaries[0].points, (std::vector<std::array<double, 2>>{{0.4, 4}}));
+  EXPECT_THROW(published_boundaries(file, "Ca", "E_b"), std::invalid_argument);
+}
 
 TEST_F(PublishedSeriesTest, IsOneSeriesForEachPaper) {
   const auto series =

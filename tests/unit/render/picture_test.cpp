@@ -26,7 +26,9 @@ PhaseDiagram small_diagram() {
                    {{"tumbling", "done", {"c"}, true}, {"", "failed", {"d"}}}}};
 }
 
-std::string phase_script(const PhaseDiagram& of) { return phase_diagram_script(of, nullptr, {"fig.svg"}); }
+std::string phase_script(const PhaseDiagram& of) {
+  return phase_diagram_script(of, nullptr, {}, {"fig.svg"});
+}
 
 History turning(double kt_end) {
   History history;
@@ -69,7 +71,7 @@ const nlohmann::ordered_json kBoundary =
     {"over": 4, "value": null, "low": 0.5, "high": null, "band": [0.4, null]}]}]})");
 
 TEST(PhaseDiagramPicture, DrawsABoundaryWithItsBandUpToTheEndOfTheRange) {
-  const std::string script = phase_diagram_script(small_diagram(), kBoundary, {"fig.svg"});
+  const std::string script = phase_diagram_script(small_diagram(), kBoundary, {}, {"fig.svg"});
   EXPECT_THAT(script, HasSubstr("$band_1 << END\n0.18 2\n0.4 4\n1 4\n0.22 2\nEND\n"));
   EXPECT_THAT(script, HasSubstr("$boundary_1 << END\n0.2 2 0.19 0.2\nEND\n"));
 }
@@ -77,7 +79,14 @@ TEST(PhaseDiagramPicture, DrawsABoundaryWithItsBandUpToTheEndOfTheRange) {
 TEST(PhaseDiagramPicture, DrawsNoBoundaryOverOtherAxes) {
   PhaseDiagram other = small_diagram();
   other.y.parameter = "E_b";
-  EXPECT_THAT(phase_diagram_script(other, kBoundary, {"fig.svg"}), Not(HasSubstr("$band")));
+  EXPECT_THAT(phase_diagram_script(other, kBoundary, {}, {"fig.svg"}), Not(HasSubstr("$band")));
+}
+
+TEST(PhaseDiagramPicture, ShowsThePublishedBoundaryWithItsSource) {
+  const std::string script = phase_diagram_script(small_diagram(), nullptr,
+                                                  {{"Smith (2020)", {{{0.3, 2}}, {{0.4, 4}}}}}, {"fig.svg"});
+  EXPECT_THAT(script, HasSubstr("$published_1 << END\n0.3 2\n0.4 4\nEND"));
+  EXPECT_THAT(script, HasSubstr("title 'Smith (2020)'"));
 }
 
 TEST(HistoryPicture, HasACurveOfEachCaseWithThetaInUnitsOfPi) {
@@ -137,7 +146,7 @@ TEST(Picture, IsDrawnInEachFormatAndKeepsItsScript) {
   for (const auto& [name, start] : std::vector<std::pair<std::string, std::string>>{
            {"p.svg", "<?xml"}, {"p.pdf", "%PDF"}, {"p.png", "\x89PNG"}}) {
     const PictureFormat format{directory.path() / name};
-    draw(phase_diagram_script(small_diagram(), kBoundary, format), format);
+    draw(phase_diagram_script(small_diagram(), kBoundary, {}, format), format);
     EXPECT_THAT(file_bytes(format.file), StartsWith(start));
     EXPECT_THAT(file_bytes(format.file.string() + ".gp"), HasSubstr("plot $band_1"));
     draw(history_script({{"a", turning(3)}}, {}, format), format);
