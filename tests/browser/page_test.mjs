@@ -11,12 +11,14 @@ import {chromium} from "playwright-core";
 
 const {CAPSTAN, FAKE_CAPSTAN, BROWSER, WORK} = process.env;
 const kPatience = 60000;  // milliseconds, on a busy machine
+const daemons = [];       // also those of failed tests
 
 /// Starts a daemon. \return {url, stop}
 async function serve(program, name, {port = 0, token} = {}) {
   const {CAPSTAN_TOKEN, ...environment} = process.env;
   const daemon = spawn(program, ["serve", "--data", `${WORK}/${name}`, "--listen", `127.0.0.1:${port}`, "--cores", "1"],
     {env: token ? {...environment, CAPSTAN_TOKEN: token} : environment, stdio: ["ignore", "pipe", "inherit"]});
+  daemons.push(daemon);
   let said = "";
   for await (const text of daemon.stdout) {
     said += text;
@@ -68,7 +70,7 @@ before(async () => {
 
 after(async () => {
   await browser.close();
-  await fake.stop();
+  for (const daemon of daemons) daemon.kill("SIGTERM");
 });
 
 test("a study that is checked and submitted in the form appears and is computed", async () => {
@@ -256,6 +258,23 @@ test("a capsule is drawn, moves with the time and turns by the keys", async () =
   pictures.push(await picture());
   assert.equal(new Set(pictures).size, 4);
   assert.match(await canvas.getAttribute("aria-label"), /at kt = 2\b/);
+  await close(page);
+  await real.stop();
+});
+
+test("a boundary is found and drawn with its band and limits while the diagram is open", async () => {
+  const real = await serve(CAPSTAN, "boundary");
+  const {axes, ...sought} = study("boundary", {}, {until: {kt: 30}, fidelity: {nodes: 362}});
+  const boundary = {along: "Ca", between: [0.1, 0.5], for: {V: [1, 2]}, tolerance: 0.05, explore: 3};
+  const id = await submit(real.url, {...sought, boundary});
+  const page = await open(`${real.url}/#study=${id}`);
+  await page.getByText(/^Found\. V = 1: Ca = 0\.1\d+ \(.*V = 2: Ca = 0\.2\d+/).waitFor();
+  const {curves: [{points}]} = await (await fetch(`${real.url}/v1/studies/${id}/boundary`)).json();
+  assert.equal(points.length, 2);
+  const corners = async (name) => (await page.locator(`svg path.${name}`).getAttribute("d")).match(/[ML]/g).length;
+  assert.equal(await corners("boundary"), 2);
+  assert.equal(await corners("bounds"), 4);
+  assert.equal(await corners("band"), 4);
   await close(page);
   await real.stop();
 });
