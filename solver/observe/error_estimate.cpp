@@ -15,17 +15,19 @@ struct Calibration {
   double floor;   ///< of Q: where the two rungs agree better than this, they do so by chance
 };
 
-constexpr Calibration kCoarsest{1.3, 0.01}, kCoarse{0.6, 0.002}, kBoundaryIntegrals{0.6, 8e-4},
+constexpr Calibration kCoarsest{1.3, 0.01}, kCoarse{0.65, 0.002}, kBoundaryIntegrals{0.65, 8e-4},
     kLattice{1.4, 1e-3};
+/// On the coarsest mesh both rungs lack the dimples of a red cell.
+constexpr Calibration kCoarsestDimples{1.3, 0.04};
 /// Without bending stiffness finer meshes have finer wrinkles.
-constexpr Calibration kWithoutBending{0.9, 2e-3}, kBeginsToWrinkle{1.5, 0.02};
+constexpr Calibration kWithoutBending{0.9, 2e-3}, kBeginsToWrinkle{1.5, 0.05};
 constexpr double kWrinkling = 40;  // degrees
 /// Wrinkles as wide as the mesh do not converge.
-constexpr Calibration kFolded{1.5, 0.1};
+constexpr Calibration kFolded{1.5, 0.2};
 
 Calibration calibration_of_rung(const Case& c) {
   if (c.has_grid()) return kLattice;
-  if (c.fidelity.nodes <= 162) return kCoarsest;
+  if (c.fidelity.nodes <= 162) return c.shape == Shape::biconcave ? kCoarsestDimples : kCoarsest;
   return c.fidelity.nodes < 642 ? kCoarse : kBoundaryIntegrals;
 }
 
