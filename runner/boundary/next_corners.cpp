@@ -3,6 +3,8 @@
 #include <optional>
 #include <set>
 
+#include "solver/case/significant_digits.hpp"
+
 namespace capstan {
 namespace {
 
@@ -54,7 +56,8 @@ class Refinement {
       constexpr double kRounding = 1e-9;
       const double length = cell.high[side] - cell.low[side];
       if (length <= grid_.sides[side] * (1 + kRounding)) continue;
-      const double middle = (cell.low[side] + cell.high[side]) / 2;
+      constexpr int kDigits = 12;  // 0.3625, not 0.36250000000000004
+      const double middle = with_significant_digits((cell.low[side] + cell.high[side]) / 2, kDigits);
       std::vector<Cell> halves;
       for (const Cell& part : parts) {
         halves.push_back(part);

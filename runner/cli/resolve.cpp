@@ -53,6 +53,8 @@ std::string path_of_any(Client& client, const std::string& typed) {
       paths.push_back(std::string("/v1/") + kind + "/" + id);
       if (id == typed) return paths.back();
     }
+  for (const std::string& path : paths)
+    if (is_study(path) && client.get(path)["name"] == typed && found["studies"].size() == 1) return path;
   only_match("study or case", typed, named);
   return paths.front();
 }

@@ -5,6 +5,7 @@
 
 #include "runner/cli/commands.hpp"
 #include "runner/cli/resolve.hpp"
+#include "runner/render/gnuplot.hpp"
 #include "runner/render/shape_files.hpp"
 #include "runner/study/shown_value.hpp"
 #include "solver/run_directory/durable_file.hpp"
@@ -29,9 +30,10 @@ void save_shape(Client& client, const std::string& path, const ordered_json& kt,
 }
 
 /// All shapes, each in a file of its own, with an index for ParaView.
-void save_collection(Client& client, const std::string& path, const fs::path& collection) {
+void save_collection(Client& client, const std::string& path, const ordered_json& times,
+                     const fs::path& collection) {
   std::vector<TimeAndFile> files;
-  for (const ordered_json& kt : client.get(path)["kt"]) {
+  for (const ordered_json& kt : times) {
     const fs::path file = file_beside(collection, files.size());
     save_shape(client, path, kt, "vtp", file);
     files.push_back({kt, file.filename()});
@@ -59,6 +61,8 @@ int save_shapes(const ShapeArguments& arguments) {
   const std::string format = extension_of(arguments.out);
   if (format == "pvd" && arguments.kt)
     throw std::invalid_argument("a collection (.pvd) holds all times: leave out --kt");
+  if (const std::string issue = issue_of_folder(arguments.out); !issue.empty())
+    throw std::invalid_argument(issue);
   Client client(arguments.server);
   const std::string path = path_of_any(client, arguments.id) + "/shapes";
   if (path.starts_with("/v1/studies/"))
@@ -69,7 +73,8 @@ int save_shapes(const ShapeArguments& arguments) {
         "the case has recorded no shapes; \"outputs\": {\"shapes_every\": 0.5} in a "
         "case or a study records one each kt = 0.5");
   if (format == "pvd") {
-    save_collection(client, path, arguments.out);
+    save_collection(client, path, times, arguments.out);
+    std::cout << times.size() << " shapes\n";
     return kExitDone;
   }
   const ordered_json kt = recorded_time(times, arguments.kt);

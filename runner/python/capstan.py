@@ -64,6 +64,8 @@ class Server:
                 return answer.read()
         except urllib.error.HTTPError as error:
             raise Refused(error.code, _json_or_nothing(error.read())) from None
+        except urllib.error.URLError as error:
+            raise ConnectionError(f"no server answers at {self.url} ({error.reason}); start one with: capstan serve") from None
 
     def get(self, path, query=()):
         return json.loads(self.request(path, query))
@@ -182,6 +184,10 @@ class Study:
         """The motion over two axes. phase_diagram(x="Ca", y="V", at=["E_b=0.015"])"""
         return self.server.get(self.path + "/phase-diagram", [
             (name, value) for name, given in section.items() for value in ([given] if isinstance(given, str) else given)])
+
+    def boundary(self):
+        """Where the motion changes, of a study that seeks it (schema/http.md); Refused for other studies."""
+        return self.server.get(self.path + "/boundary")
 
 
 class Case:

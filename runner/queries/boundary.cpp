@@ -132,6 +132,10 @@ ordered_json count_points(const StudyBoundary& boundary, const BoundaryRows& row
   return {{"asked", asked}, {"ended", asked - waiting}, {"expected", expected_points(boundary, rows)}};
 }
 
+bool is_cancelled(Database& database, const std::string& study_id) {
+  return database.query("SELECT 1 FROM studies WHERE id = ? AND cancelled_at IS NOT NULL", study_id).step();
+}
+
 }  // namespace
 
 std::optional<ordered_json> find_boundary(Database& database, const std::string& study_id) {
@@ -145,7 +149,8 @@ std::optional<ordered_json> find_boundary(Database& database, const std::string&
                         {"tolerance", boundary->search.tolerance},
                         {"explored", boundary->explored_gap()}};
   found["points"] = count_points(*boundary, rows);
-  found["searching"] = found["points"]["ended"] != found["points"]["asked"];
+  found["searching"] =
+      found["points"]["ended"] != found["points"]["asked"] && !is_cancelled(database, study_id);
   found["rows"] = ordered_json::array();
   Curves curves(boundary->rows_of.empty() ? "" : boundary->rows_of.back());
   for (const auto& [key, points] : rows) {

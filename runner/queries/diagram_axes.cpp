@@ -103,7 +103,7 @@ class AxisChoice {
     if (axis.values.size() == 1)
       diagram.at[axis.parameter] = axis.values[0];
     else
-      add_issue("at", axis.parameter + " is not fixed: say at which value, as in at=" + axis.parameter + "=" +
+      add_issue("at", axis.parameter + " is not fixed: say at which value, such as " + axis.parameter + "=" +
                           shown_value(axis.values[0]) + "; it has: " + values_in_words(axis.values));
   }
 

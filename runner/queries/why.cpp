@@ -70,7 +70,10 @@ void add_places(Database& database, const RunPlaces& places, ordered_json& cases
 }
 
 std::optional<ordered_json> why(Database& database, const std::string& case_id, const RunPlaces& places) {
-  Statement row = database.query("SELECT state, message, not_before FROM cases WHERE id = ?", case_id);
+  Statement row = database.query(
+      "SELECT state, message, not_before, r.motion, r.document ->> '$.explanation' FROM cases c"
+      " LEFT JOIN results r ON r.case_id = c.id WHERE c.id = ?",
+      case_id);
   if (!row.step()) return std::nullopt;
   const std::string state = row.text(0);
   ordered_json answer = {{"id", case_id}, {"state", state}};
@@ -80,7 +83,9 @@ std::optional<ordered_json> why(Database& database, const std::string& case_id, 
   if (state == "running")
     answer["reasons"] = why_running(database, case_id, places);
   else
-    answer["reasons"] = {row.text(1).empty() ? "it has an answer" : row.text(1)};
+    answer["reasons"] = {!row.text(1).empty() ? row.text(1)
+                         : row.is_null(3)     ? "it has an answer"
+                                              : row.text(3) + ": " + row.text(4)};
   return answer;
 }
 

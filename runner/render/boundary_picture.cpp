@@ -42,16 +42,19 @@ std::string band(const ordered_json& points, const Orientation& orientation) {
   return lines;
 }
 
-/// Values, each with its limits: the columns x, y, low, high.
+/// Values, each with its limits: the columns x, y, low, high. A limit that is not known is the end of the
+/// range; without both there is no bar.
 std::string values(const ordered_json& points, const Orientation& orientation) {
   std::string lines;
   for (const ordered_json& point : points) {
     if (!point["value"].is_number()) continue;
     const double value = point["value"];
-    const auto limit = [&](const char* key) {
-      return shown(point[key].is_number() ? double(point[key]) : value);
+    const bool has_bar = point["low"].is_number() || point["high"].is_number();
+    const auto limit = [&](const char* key, double end) {
+      return shown(point[key].is_number() ? double(point[key]) : has_bar ? end : value);
     };
-    lines += orientation.point(value, point["over"]) + " " + limit("low") + " " + limit("high") + "\n";
+    lines += orientation.point(value, point["over"]) + " " + limit("low", orientation.from) + " " +
+             limit("high", orientation.to) + "\n";
   }
   return lines;
 }

@@ -1,5 +1,7 @@
 #include "runner/render/boundary_table.hpp"
 
+#include <algorithm>
+
 #include "runner/study/shown_value.hpp"
 #include "solver/case/shown_number.hpp"
 
@@ -30,6 +32,13 @@ std::string more_text(int expected) {
 
 std::string motion_text(const ordered_json& motion) {
   return motion.is_null() ? "no motion is known" : motion.get<std::string>();
+}
+
+/// Of the rows whose search has ended.
+bool has_row_without_motion(const ordered_json& boundary) {
+  return std::ranges::any_of(boundary["rows"], [](const ordered_json& row) {
+    return row["searching"] == false && row["crossings"].empty() && row["first"].is_null();
+  });
 }
 
 }  // namespace
@@ -68,14 +77,22 @@ std::string boundary_text(const ordered_json& boundary) {
       text += row_text(row) + motion_text(row["first"]) + " from " + boundary["along"].get<std::string>() +
               " = " + range + "\n";
   const ordered_json& points = boundary["points"];
-  if (boundary["searching"] == true)
+  const bool is_searching = boundary["searching"] == true;
+  if (is_searching)
     text += "\n" + points["ended"].dump() + " of " + points["asked"].dump() + " points have ended; " +
-            more_text(points["expected"]) + "\n";
+            more_text(points["expected"]) + "\nThen every";
+  else if (points["ended"] != points["asked"])
+    return text + "\n" + points["ended"].dump() + " of " + points["asked"].dump() +
+           " points have ended; the study is cancelled, so the boundary is not complete.\n";
   else
-    text += "\n" + points["asked"].dump() + " points. ";
-  return text + "Every island of another motion that is wider than " +
-         rounded(100 * boundary["explored"].get<double>(), 2) + " % of its " +
-         boundary["along"].get<std::string>() + " has been looked for.\n";
+    text += "\n" + points["asked"].dump() + " points. Every";
+  text += " island of another motion that is wider than " +
+          rounded(100 * boundary["explored"].get<double>(), 2) + " % of its " +
+          boundary["along"].get<std::string>() +
+          (is_searching ? " will have been looked for" : " has been looked for");
+  return text + (has_row_without_motion(boundary)
+                     ? ", except where no motion is known: raise until.at_most, or see capstan why.\n"
+                     : ".\n");
 }
 
 }  // namespace capstan

@@ -50,9 +50,17 @@ int run_gnuplot(const fs::path& script) {
 
 }  // namespace
 
+std::string issue_of_folder(const fs::path& file) {
+  const fs::path folder = fs::absolute(file).parent_path();
+  return fs::is_directory(folder)
+             ? ""
+             : "cannot write " + file.string() + ": there is no folder " + folder.string();
+}
+
 std::string issue_of_picture_file(const fs::path& file) {
-  if (terminals().contains(file.extension().string())) return "";
-  return file.string() + " is no picture: its name must end in .svg, .pdf or .png";
+  if (!terminals().contains(file.extension().string()))
+    return file.string() + " is no picture: its name must end in .svg, .pdf or .png";
+  return issue_of_folder(file);
 }
 
 std::string picture_head(const PictureFormat& format, double height) {

@@ -123,7 +123,7 @@ std::vector<Series> published_series_of(const std::vector<PublishedBoundary>& pu
     const int type = kPointTypes[series.size() % kPointTypes.size()];
     series.push_back({block, std::move(data),
                       block + " with points pt " + std::to_string(type) +
-                          " ps 1.4 lw 1.5 lc rgb 'black' title " + quoted_text(boundary.title)});
+                          " ps 1.8 lw 1.5 lc rgb 'black' title " + quoted_text(boundary.title)});
   }
   return series;
 }
@@ -140,9 +140,9 @@ std::string title(const PhaseDiagram& diagram) {
 std::string phase_diagram_script(const PhaseDiagram& diagram, const nlohmann::ordered_json& boundary,
                                  const std::vector<PublishedBoundary>& published,
                                  const PictureFormat& format) {
-  std::vector<Series> all = all_series(diagram);
-  if (has_numbers(diagram.x) && has_numbers(diagram.y))
-    std::ranges::move(published_series_of(published), std::back_inserter(all));
+  std::vector<Series> all;  // our marks are drawn over those of others
+  if (has_numbers(diagram.x) && has_numbers(diagram.y)) all = published_series_of(published);
+  std::ranges::move(all_series(diagram), std::back_inserter(all));
   std::string script = picture_head(format, height_with(all.size() + 1)) + title(diagram) +
                        scale("x", diagram.x) + scale("y", diagram.y) + tics("x", diagram.x) +
                        tics("y", diagram.y) + "set xlabel " + symbol(diagram.x.parameter) + "\nset ylabel " +

@@ -10,6 +10,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// Of a study that seeks a boundary or refines its grid.
+std::string growth_text(const ordered_json& plan) {
+  return plan["grows"] == true ? "These are its first cases; further ones follow where the motion changes.\n"
+                               : "";
+}
+
 std::string count_of_cases(const ordered_json& count) {
   return count.dump() + (count == 1 ? " case" : " cases");
 }
@@ -90,7 +96,7 @@ std::string text_of(const ordered_json& group) {
 std::string heading(const ordered_json& plan) {
   if (plan["kind"] == "case") return "case " + plan["id"].get<std::string>() + "\n";
   return "study " + printable(plan["name"].get<std::string>()) + ": " + count_of_cases(plan["cases"]) + ", " +
-         costs(plan) + "\n";
+         costs(plan) + "\n" + growth_text(plan);
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ std::vector<std::string> notes_on(const Study& study, const DroppedKeys& dropped
   add_counted(study, warnings, "warnings", notes);
   add_equal_points(study, notes);
   if (study.boundary || study.refinement)
-    notes.emplace_back("these are the first points; further ones follow where the motion changes");
+    notes.push_back("it begins with " + std::to_string(study.points.size()) +
+                    " points; further ones follow where the motion changes");
   if (ends_runs_early(study.document))
     notes.emplace_back(
         "runs end as soon as their label is certain (\"until\": {\"classified\": false} computes all to the "

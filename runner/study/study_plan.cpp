@@ -150,6 +150,7 @@ ordered_json plan_json(const InputDocument& document) {
 
   ordered_json plan = identity_of(document);
   plan["cases"] = plans.size();
+  plan["grows"] = document.study && (document.study->boundary || document.study->refinement);
   plan.update(to_json(costs));
   plan["number_of_groups"] = groups.size();
   plan["groups"] = ordered_json::array();

@@ -167,7 +167,7 @@ Response get_phase_diagram(Service& service, const httplib::Request& request, co
   for (auto at = first; at != last; ++at) wanted.at.push_back(at->second);
   const ParsedDiagram diagram = phase_diagram(*study, find_points(*database, id), wanted);
   if (!diagram.value)
-    return problem(400, "Invalid diagram", "the query does not say which diagram to draw", diagram.issues);
+    return problem(400, "Invalid diagram", "the query names no diagram of this study", diagram.issues);
   return varies_by_accept(wants_csv(request) ? csv_response(as_csv(diagram_table(*diagram.value)))
                                              : json_response(200, to_json(*diagram.value)));
 }

@@ -50,6 +50,8 @@ void print_text(const Study& study, const nlohmann::ordered_json& rows, double c
             << rows.size() << (rows.size() == 1 ? " case: " : " cases: ") << duration_in_words(core_seconds)
             << " of one core, about " << duration_in_words(wall) << " on " << cores
             << (cores == 1 ? " core\n" : " cores\n");
+  if (study.boundary || study.refinement)
+    std::cout << "These are its first cases; further ones follow where the motion changes.\n";
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ def solve(case, directory):
                 expected = estimate(case) or 0
                 limit = 0 if expected > LONG else 20 + 3 * expected
             if used > limit and not killed:
-                process.send_signal(signal.SIGKILL)
+                os.kill(process.pid, signal.SIGKILL)  # send_signal would take the exit status of a process that has just ended
                 killed = True
             time.sleep(0.05)
         process.returncode = os.waitstatus_to_exitcode(status)

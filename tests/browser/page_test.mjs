@@ -284,6 +284,7 @@ test("a phone needs no scrolling sideways, and the dark scheme is dark", async (
   const page = await open(`${fake.url}/#study=${id}`, {viewport: {width: 375, height: 700}, colorScheme: "dark"});
   await page.getByRole("button", {name: /Ca = 0.1, V = 10/}).click();
   await page.locator("section.case").waitFor();
+  assert.match(await page.locator("section.case").textContent(), /Parameters.*Ca/);
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(22, 22, 22)");
   await close(page);

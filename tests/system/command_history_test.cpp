@@ -147,11 +147,13 @@ class CommandSequence {
   void check_ends(Client& client) {
     std::set<std::string> wanted;
     std::map<std::string, ordered_json> all;
-    for (const auto& [study, known] : known_)
-      for (const ordered_json& shown : client.get("/v1/studies/" + known.id + "/cases")["cases"]) {
+    for (const auto& [study, known] : known_) {
+      const ordered_json cases = client.get("/v1/studies/" + known.id + "/cases")["cases"];
+      for (const ordered_json& shown : cases) {
         all[shown["id"]] = shown;
         if (!known.is_cancelled) wanted.insert(shown["id"].get<std::string>());
       }
+    }
     for (const auto& [id, shown] : all) {
       const std::string end = state_that_ends(shown["parameters"]["V"]);
       const bool may_be_cancelled = !wanted.contains(id) && shown["state"] == "cancelled";

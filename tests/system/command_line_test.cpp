@@ -277,7 +277,7 @@ TEST_F(ServedCommandLineTest, PhaseDiagramOfThreeAxesFixesOne) {
   const CommandResult refused = ask("phase-diagram " + id);
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors,
-              HasSubstr("E_b is not fixed: say at which value, as in at=E_b=0; it has: 0, 0.015"));
+              HasSubstr("E_b is not fixed: say at which value, such as E_b=0; it has: 0, 0.015"));
   const CommandResult drawn = ask("phase-diagram " + id + " --x V --y Ca --at E_b=0.015");
   EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
   EXPECT_THAT(drawn.output, HasSubstr("\nat E_b = 0.015\n"));

@@ -209,7 +209,9 @@ TEST_F(UpkeepTest, BackupOfARunningDaemonHoldsAllResults) {
   EXPECT_EQ(broken_promise(restored), "");
   const Daemon successor(restored);
   Client again(successor.url());
-  for (const ordered_json& study : again.get("/v1/studies")["studies"])
+  const ordered_json studies = again.get("/v1/studies")["studies"];
+  EXPECT_FALSE(studies.empty());
+  for (const ordered_json& study : studies)
     wait_for_cases(again, study["id"], "done", study["cases"]["total"]);
 }
 

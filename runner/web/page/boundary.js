@@ -43,10 +43,13 @@ export function boundary_elements(boundary, diagram, scales) {
 export function boundary_words(boundary) {
   const rows = boundary.rows.flatMap(({at, crossings}) => crossings.filter(({value}) => value !== null).map((crossing) => {
     const place = Object.entries(at).map(([name, value]) => `${name} = ${value_words(value)}`).join(", ");
-    const bounds = crossing.low === null || crossing.high === null ? "" : ` (${number(crossing.low)} to ${number(crossing.high)})`;
+    const [low, high] = [crossing.low, crossing.high].map((limit) => limit === null ? "beyond the range" : number(limit));
+    const bounds = crossing.low === null && crossing.high === null ? " (no limits: errors unknown or too large)" : ` (${low} to ${high})`;
     return `${place || "boundary"}: ${boundary.along} = ${number(crossing.value)}${bounds}`;
   }));
-  const state = boundary.searching ? `Searching; ${boundary.points.ended} of ${boundary.points.asked} points so far, about ${boundary.points.expected} more` : "Found";
+  const state = boundary.searching ? `Searching; ${boundary.points.ended} of ${boundary.points.asked} points so far, about ${boundary.points.expected} more` :
+    boundary.points.ended < boundary.points.asked ? `Cancelled; ${boundary.points.ended} of ${boundary.points.asked} points` :
+    boundary.rows.some(({first}) => first === null) ? "Searched, but some rows have no motion: raise until.at_most" : "Found";
   return `${state}. ${rows.join("; ")}`;
 }
 

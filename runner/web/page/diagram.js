@@ -9,9 +9,11 @@ import {answer_words, motion_words, value_words} from "./words.js";
 
 const kWidth = 640;
 const kHeight = 440;
-const kFrame = {left: 52, right: 628, top: 10, bottom: 396};
+const kFrame = {left: 52, right: 628, top: 26, bottom: 396};
 const kMaxRadius = 7;
 const kMinRadius = 1.3;
+const kMinRadiusOfFew = 4;  // an open mark can be told from a filled one
+const kFew = 1000;          // points
 const kReach = 16;  // from the mouse to the mark that it means
 const kSteps = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1]};
 
@@ -66,7 +68,8 @@ export class Diagram {
     this.whole.hidden = !ranges;
     this.names = {x: x.parameter, y: y.parameter};
     this.columns = x.values.length;
-    this.radius = Math.max(kMinRadius, Math.min(radius_of(x.values.map((_, i) => this.x.place(i))),
+    const points = rows.flat().filter(({cases}) => cases.length > 0).length;
+    this.radius = Math.max(points > kFew ? kMinRadius : kMinRadiusOfFew, Math.min(radius_of(x.values.map((_, i) => this.x.place(i))),
                                                 radius_of(y.values.map((_, i) => this.y.place(i)))));
     const fixed = Object.entries(at).map(([name, value]) => `, ${name} = ${value_words(value)}`).join("");
     this.picture.setAttribute("aria-label", `Phase diagram over ${x.parameter} and ${y.parameter}${fixed}`);
@@ -91,7 +94,7 @@ export class Diagram {
       ...this.x.ticks.map((tick) => text(tick.place, bottom + 18, tick.text, "middle")),
       ...this.y.ticks.map((tick) => text(left - 8, tick.place + 4, tick.text, "end")),
       text((left + right) / 2, kHeight - 6, this.names.x, "middle", "name"),
-      text(12, (top + bottom) / 2, this.names.y, "middle", "name"),
+      text(left - 8, top - 12, this.names.y, "end", "name"),
     ];
   }
 

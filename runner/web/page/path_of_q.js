@@ -27,14 +27,14 @@ function axes(at, reach) {
     svg_element("path", {class: "grid", d: `M${low} ${at(0)}H${high}M${at(0)} ${low}V${high}`}),
     ...ticks.map((tick) => words(at(tick), high + 15, tick, "middle")),
     ...ticks.map((tick) => words(low - 6, at(-tick) + 4, tick, "end")),
-    words(at(0), kSize - 2, "D_xy cos 2θ", "middle"),
+    words(at(0), kSize - 4, "D_xy cos 2θ", "middle"),
     words(low, low - 6, "D_xy sin 2θ", "start"),
   ];
 }
 
 export class PathOfQ {
   constructor() {
-    this.picture = svg_element("svg", {viewBox: `-14 0 ${kSize + 14} ${kSize}`, role: "img", class: "path-of-q",
+    this.picture = svg_element("svg", {viewBox: `-14 0 ${kSize + 14} ${kSize + 4}`, role: "img", class: "path-of-q",
                                        "aria-label": "Path of Q in its plane"});
     this.place = element("figure", {}, this.picture, element("figcaption", {},
       "Path of Q, from the dot on. Around 0: tumbling. Beside 0: tank-treading. Into the grey circle, |Q| < 0.06: the section is nearly round."));

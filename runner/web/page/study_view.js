@@ -117,6 +117,8 @@ export class StudyView {
                    [cases, `${path}/cases?limit=${kMaxPage}`, "_cases.json"]];
     if (diagram)
       files.push(["phase diagram (CSV)", `${diagram}&format=csv`, "_diagram.csv"], ["phase diagram (JSON)", diagram, "_diagram.json"]);
+    if (study.links.boundary)
+      files.push(["boundary (CSV)", `${study.links.boundary}?format=csv`, "_boundary.csv"], ["boundary (JSON)", study.links.boundary, "_boundary.json"]);
     this.files.replaceChildren("Download: ",
       ...files.flatMap(([words, address, end]) => [download_link(words, address, study.id + end), " "]));
   }

@@ -20,7 +20,7 @@ const kExample = `{
 function plan_words(plan) {
   const total = plan.seconds.total ?? plan.seconds.max;
   const warnings = (plan.groups ?? []).flatMap((group) => group.warnings.map(({text, cases}) => `${cases} cases: ${text}`));
-  return [`Valid: ${plan.cases} cases, about ${duration_words(total)} of one core.`, ...warnings.map(sentence)];
+  return [`Valid: ${plan.cases} cases, about ${duration_words(total)} of one core.${plan.grows ? " Further cases follow where the motion changes." : ""}`, ...warnings.map(sentence)];
 }
 
 function refusal_words(error) {

@@ -8,6 +8,7 @@ const resolution_words = (companion) =>
 
 /// Why the motion of a case is not confirmed, or what confirms it.
 function confirmation({motion, confirmed, error, evidence}) {
+  if (motion === "undecided") return [];  // its explanation says what is missing; that is not resolution
   if (error?.unknown) return [sentence(`There is no estimated error: ${error.unknown}`)];
   if (!error?.companion) return ["There is no run at a coarser resolution to compare with, so there is no estimated error."];
   const {companion} = error;

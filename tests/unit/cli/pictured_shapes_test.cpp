@@ -5,7 +5,10 @@
 
 #include <cmath>
 
+#include "runner/cli/commands.hpp"
+#include "tests/support/file_bytes.hpp"
 #include "tests/support/recorded_sphere.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 // After Eigen: httplib includes a header that defines the macro _res.
 #include "runner/web/http_server.hpp"
@@ -63,6 +66,20 @@ TEST_F(PicturedShapesTest, ProfilesAreTheSectionsAtTheTimesThatWereAskedFor) {
     EXPECT_GT(distance(point), 1.6);
   }
   EXPECT_NEAR(distance(panels[1].profiles.at(0).marker), 1.5, 1e-6);
+}
+
+TEST_F(PicturedShapesTest, AreSavedAsACollectionWithAFileForEachTime) {
+  const TemporaryDirectory out;
+  const std::string id = recorded().path.substr(std::string("/v1/cases/").size());
+  const std::string server = "http://127.0.0.1:" + std::to_string(address_.port);
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(save_shapes({.id = id, .out = out.path() / "cell.pvd", .kt = {}, .server = server}), 0);
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "3 shapes\n");
+  const std::string collection = file_bytes(out.path() / "cell.pvd");
+  for (const char* file : {"cell_0000.vtp", "cell_0001.vtp", "cell_0002.vtp"}) {
+    EXPECT_NE(collection.find(file), std::string::npos) << file;
+    EXPECT_NE(file_bytes(out.path() / file).find("PolyData"), std::string::npos) << file;
+  }
 }
 
 TEST_F(PicturedShapesTest, WithoutTimesTheLastShapeIsTaken) {

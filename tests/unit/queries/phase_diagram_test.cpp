@@ -104,9 +104,9 @@ TEST(PhaseDiagram, ThirdAxisIsFixedAtOneOfItsValues) {
 
 TEST(PhaseDiagram, AxisThatIsNotFixedIsAnIssueThatListsThePossibleValues) {
   EXPECT_EQ(issue_of(kThreeAxes, {}),
-            "at: E_b is not fixed: say at which value, as in at=E_b=0; it has: 0, 0.01");
+            "at: E_b is not fixed: say at which value, such as E_b=0; it has: 0, 0.01");
   EXPECT_EQ(issue_of(kThreeAxes, {"V", "E_b", {}}),
-            "at: Ca is not fixed: say at which value, as in at=Ca=0.25; it has: 0.25, 0.75");
+            "at: Ca is not fixed: say at which value, such as Ca=0.25; it has: 0.25, 0.75");
   EXPECT_EQ(issue_of(kThreeAxes, {"Ca", "V", {"E_b=3"}}), "at: E_b has no value 3; it has: 0, 0.01");
   EXPECT_EQ(issue_of(kThreeAxes, {"Ca", "V", {"E_b=0", "E_b=0.01"}}), "at: E_b is fixed twice");
   EXPECT_EQ(issue_of(kThreeAxes, {"Ca", "V", {"E_b=0", "Ca=0.25"}}),

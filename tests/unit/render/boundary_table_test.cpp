@@ -8,6 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// One row with a crossing, one that tumbles everywhere.
 ordered_json boundary() {
@@ -38,6 +39,21 @@ TEST(BoundaryText, SaysHowManyPointsAreStillExpected) {
   searching["searching"] = true;
   searching["points"] = {{"asked", 20}, {"ended", 15}, {"expected", 9}};
   EXPECT_THAT(boundary_text(searching), HasSubstr("15 of 20 points have ended; about 9 more will follow."));
+  EXPECT_THAT(boundary_text(searching), HasSubstr("will have been looked for"));
+}
+
+TEST(BoundaryText, ClaimsNothingOfACancelledStudy) {
+  ordered_json cancelled = boundary();
+  cancelled["points"]["ended"] = 6;
+  EXPECT_THAT(boundary_text(cancelled), HasSubstr("6 of 20 points have ended; the study is cancelled"));
+  EXPECT_THAT(boundary_text(cancelled), Not(HasSubstr("looked for")));
+}
+
+TEST(BoundaryText, SaysThatRowsWithoutAMotionHideIslands) {
+  ordered_json unknown = boundary();
+  unknown["rows"][1]["first"] = unknown["rows"][1]["last"] = nullptr;
+  EXPECT_THAT(boundary_text(unknown), HasSubstr("V = 8: no motion is known"));
+  EXPECT_THAT(boundary_text(unknown), HasSubstr("raise until.at_most"));
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ const nlohmann::ordered_json kBoundary =
 TEST(PhaseDiagramPicture, DrawsABoundaryWithItsBandUpToTheEndOfTheRange) {
   const std::string script = phase_diagram_script(small_diagram(), kBoundary, {}, {"fig.svg"});
   EXPECT_THAT(script, HasSubstr("$band_1 << END\n0.18 2\n0.4 4\n1 4\n0.22 2\nEND\n"));
-  EXPECT_THAT(script, HasSubstr("$boundary_1 << END\n0.2 2 0.19 0.2\nEND\n"));
+  EXPECT_THAT(script, HasSubstr("$boundary_1 << END\n0.2 2 0.19 1\nEND\n"));
 }
 
 TEST(PhaseDiagramPicture, DrawsNoBoundaryOverOtherAxes) {
@@ -137,8 +137,9 @@ TEST(TrajectoryPicture, HasAnArrowOfTheVelocityAtEachPoint) {
 }
 
 TEST(Picture, FileMustHaveAnExtensionOfAPicture) {
-  EXPECT_EQ(issue_of_picture_file("a/b.pdf"), "");
+  EXPECT_EQ(issue_of_picture_file("b.pdf"), "");
   EXPECT_THAT(issue_of_picture_file("b.jpg"), HasSubstr("must end in .svg, .pdf or .png"));
+  EXPECT_THAT(issue_of_picture_file("none/b.pdf"), HasSubstr("there is no folder"));
 }
 
 TEST(Picture, IsDrawnInEachFormatAndKeepsItsScript) {

@@ -47,6 +47,7 @@ TEST(StudyPlan, CasesWithOtherModelsAreOtherGroupsTheLargestFirst) {
   const ordered_json plan = plan_of_study(
       {{"Ca", {0.1, 0.2}}, {"E_b", {0.01}}, {"V", {1, 2, 4}}, {"fluid", {"stokes", "quasisteady"}}});
   EXPECT_EQ(plan["number_of_groups"], 4);
+  EXPECT_EQ(plan["grows"], false);
   std::vector<int> cases;
   for (const ordered_json& group : plan["groups"]) cases.push_back(group["cases"]);
   EXPECT_THAT(cases, ::testing::ElementsAre(4, 4, 2, 2));
