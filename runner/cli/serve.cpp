@@ -38,6 +38,15 @@ void warn_of_too_many_cores(int cores) {
               << " that this process may use: cases will wait for each other" << std::endl;
 }
 
+void warn_of_unused_options(const ServeArguments& arguments) {
+  if (!arguments.partition.empty() || !arguments.account.empty() || !arguments.time.empty() ||
+      !arguments.extra.empty())
+    std::clog
+        << "capstan: --partition, --account, --time and --extra are for Slurm; without --executor slurm "
+           "the cases are computed on this machine"
+        << std::endl;
+}
+
 /// Files that the daemon and its runs create are readable by this user alone.
 void keep_files_private() { umask(077); }
 
@@ -95,7 +104,10 @@ int serve(const ServeArguments& arguments) {
                                 "CAPSTAN_TOKEN_FILE");
   hold_signals();
   keep_files_private();
-  if (!uses_slurm(arguments)) warn_of_too_many_cores(arguments.cores);
+  if (!uses_slurm(arguments)) {
+    warn_of_too_many_cores(arguments.cores);
+    warn_of_unused_options(arguments);
+  }
   keep_freed_memory();
   const SystemClock clock;
   const DataDirectory data(arguments.data);

@@ -31,6 +31,8 @@ class Scheduler {
   void supervise_run(const Claim& claim);
   /// True if no process is left. An outcome may still have to be recorded, for example if the disk is full.
   bool has_ended() const;
+  /// True once the daemon ends and its runs go on without it: then nobody is asked about them any more.
+  bool has_left_runs() const { return draining_ && executor_.outlives_daemon(); }
   /// True if there is no run, not even one that has still to be recorded.
   bool is_idle() const { return runs_.empty(); }
 

@@ -76,7 +76,7 @@ RunPlaces Service::places() const {
 }
 
 void Service::tick() {
-  executor_.exchange();
+  if (!scheduler_.has_left_runs()) executor_.exchange();
   const std::lock_guard lock(writer_.mutex);
   scheduler_.tick();
 }

@@ -58,19 +58,17 @@ std::vector<std::string> sbatch_command(const JobDirectory& job, int tasks, cons
                                         const SlurmSettings& settings) {
   std::vector<std::string> words = {"sbatch",
                                     "--parsable",
-                                    "--job-name=" + job.name(),
-                                    "--array=0-" + std::to_string(tasks - 1),
-                                    "--output=" + job.log_pattern().string(),
                                     "--ntasks=1",
                                     "--cpus-per-task=1",
                                     "--mem=" + std::to_string(needs.memory_mb) + "M",
                                     "--time=" + std::to_string(needs.time.count()),
-                                    "--signal=B:USR1@120",
-                                    "--no-requeue"};
+                                    "--signal=B:USR1@120"};
   if (!settings.partition.empty()) words.push_back("--partition=" + settings.partition);
   if (!settings.account.empty()) words.push_back("--account=" + settings.account);
   words.insert(words.end(), settings.extra.begin(), settings.extra.end());
-  words.push_back(job.script());
+  // Last, as sbatch takes the last of two: a job is found again by them.
+  words.insert(words.end(), {"--job-name=" + job.name(), "--array=0-" + std::to_string(tasks - 1),
+                             "--output=" + job.log_pattern().string(), "--no-requeue", job.script()});
   return words;
 }
 

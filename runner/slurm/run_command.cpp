@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -63,6 +64,8 @@ class Child {
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &all);
     std::vector<std::string> environment = child_environment();
+    // Such as SQUEUE_PARTITION, with which squeue would not list all jobs.
+    std::erase_if(environment, [](const std::string& entry) { return entry.starts_with("SQUEUE_"); });
     error_ = posix_spawnp(&pid_, words[0].c_str(), &actions, &attributes, pointers_to(words).data(),
                           pointers_to(environment).data());
     posix_spawnattr_destroy(&attributes);
@@ -84,16 +87,28 @@ class Child {
   int error_ = 0;
 };
 
-/// Reads both until the child has closed them. False at the deadline.
+/// Whether a signal waits that asks the daemon to end (loop.hpp blocks them).
+bool is_end_asked() {
+  sigset_t pending;
+  return sigpending(&pending) == 0 &&
+         (sigismember(&pending, SIGTERM) == 1 || sigismember(&pending, SIGINT) == 1);
+}
+
+/// Reads both until the child has closed them. False at the deadline, and if the daemon is asked to end: a
+/// job that was submitted nevertheless is found by its name.
 bool read_until_closed(const Pipe& output, const Pipe& errors, SteadyClock::time_point deadline,
                        CommandOutcome& result) {
   std::array<pollfd, 2> ends{{{output.reading_end(), POLLIN, 0}, {errors.reading_end(), POLLIN, 0}}};
   const std::array<std::string*, 2> texts{&result.output, &result.errors};
   std::array<char, 1 << 16> part;
   while (ends[0].fd >= 0 || ends[1].fd >= 0) {
-    const auto left = std::chrono::ceil<milliseconds>(deadline - SteadyClock::now());
-    if (left.count() <= 0 || poll(ends.data(), ends.size(), static_cast<int>(left.count())) == 0)
-      return false;
+    constexpr milliseconds kMaxWait{1000};
+    const auto left = std::min(kMaxWait, std::chrono::ceil<milliseconds>(deadline - SteadyClock::now()));
+    if (left.count() <= 0) return false;
+    if (poll(ends.data(), ends.size(), static_cast<int>(left.count())) == 0) {
+      if (is_end_asked()) return false;
+      continue;
+    }
     for (std::size_t i = 0; i < ends.size(); ++i) {
       if (ends[i].fd < 0 || ends[i].revents == 0) continue;
       const ssize_t count = read(ends[i].fd, part.data(), part.size());

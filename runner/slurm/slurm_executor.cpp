@@ -23,10 +23,12 @@ constexpr milliseconds kMaxCommandTime = 30s;
 /// Time between two calls of squeue: fifty times as long as the last one took, so that a busy controller is
 /// asked less often.
 constexpr milliseconds kMinInterval = 2s, kMaxInterval = 60s;
+constexpr milliseconds kIntervalWithoutAnswer = 10s;
 constexpr int kIntervalsACall = 50;
 
-/// After a job that was refused or that failed before its first case.
-constexpr milliseconds kHold = 10s;
+/// After a job that was refused or that failed before its first case; twice as long after each failure that
+/// follows.
+constexpr milliseconds kHold = 10s, kMaxHold = 10min;
 
 /// Short cases share a task until it is expected to take so long.
 constexpr double kTaskSeconds = 600;
@@ -57,14 +59,18 @@ std::string printable_label(std::string text) {
   return text;
 }
 
-RunPlace place_in(const SlurmTask& task) {
+RunPlace place_in(const SlurmTask& task, bool has_begun = false) {
   if (!task.listed) return {true, "handed over to Slurm", "handed over to Slurm"};
   const ListedTask& listed = *task.listed;
   if (listed.is_waiting()) {
     const std::string words = "in Slurm's queue: " + why_it_waits(listed);
     return {true, "waiting " + words, "waits as job " + listed.id + " " + words};
   }
+  if (!listed.is_active()) return {true, "its job has ended", how_it_ended(listed)};
   const std::string node = listed.node.empty() ? "" : " on node " + listed.node;
+  if (!has_begun)
+    return {true, "waiting in a job" + node + " for its turn",
+            "waits in Slurm's job " + listed.id + node + " for its turn"};
   return {false, "running" + node, "Slurm's job " + listed.id + node};
 }
 
@@ -154,8 +160,26 @@ std::optional<ProcessEnd> SlurmExecutor::poll(const RunHandle& handle) {
   const SlurmRun* run = find(handle);
   if (!run) return ProcessEnd{};
   const std::optional<ProcessEnd> end = run->end;
-  if (end) addresses_.erase(handle);
+  if (end) {
+    const Address& address = addresses_.at(handle);
+    learn_from(*end, jobs_.at(address.job).tasks().at(address.task));
+    addresses_.erase(handle);
+  }
   return end;
+}
+
+/// A cluster on whose nodes no case begins, as the program is missing there, is not flooded with jobs. Runs
+/// that fail together count once.
+void SlurmExecutor::learn_from(const ProcessEnd& end, const SlurmTask& task) {
+  if (end.how == ProcessEnd::How::exited || end.how == ProcessEnd::How::signalled) {
+    failure_.clear();
+    hold_ = kHold;
+  }
+  if (end.how != ProcessEnd::How::not_begun || !task.listed || task.listed->state != "FAILED") return;
+  failure_ = end.reason;
+  if (clock_.elapsed() < hold_until_) return;
+  hold_until_ = clock_.elapsed() + hold_;
+  hold_ = std::min(2 * hold_, kMaxHold);
 }
 
 void SlurmExecutor::cancel(const RunHandle& handle, StopBy /*stop*/) {
@@ -188,6 +212,7 @@ void SlurmExecutor::ask() {
   next_question_ = now + std::clamp(kIntervalsACall * (now - asked), kMinInterval, kMaxInterval);
   const auto listed = result.is_success() ? parse_squeue(result.output) : std::nullopt;
   if (!listed) {
+    next_question_ = now + kIntervalWithoutAnswer;
     unanswered_ = "Slurm does not answer (" +
                   (result.is_success() ? "squeue printed: " + first_line(result.output) : error_of(result)) +
                   ")";
@@ -292,8 +317,10 @@ void SlurmExecutor::forget_jobs() {
 void SlurmExecutor::publish_view() {
   View view;
   for (const auto& [handle, run] : prepared_runs_) view.places[handle] = place_in({});
-  for (const auto& [handle, address] : addresses_)
-    view.places[handle] = place_in(jobs_.at(address.job).tasks().at(address.task));
+  for (const auto& [handle, address] : addresses_) {
+    const SlurmTask& task = jobs_.at(address.job).tasks().at(address.task);
+    view.places[handle] = place_in(task, task.runs.at(address.position).has_begun);
+  }
   for (const auto& [name, job] : jobs_)
     for (const auto& [index, task] : job.tasks())
       if (task.has_open_runs())
@@ -301,6 +328,7 @@ void SlurmExecutor::publish_view() {
   view.is_answering = unanswered_.empty();
   view.obstacle = !unanswered_.empty() ? unanswered_
                   : !refusal_.empty()  ? "Slurm took no job at the last try: " + refusal_
+                  : !failure_.empty()  ? "jobs fail before their first case: " + failure_
                                        : "";
   const std::lock_guard lock(view_mutex_);
   view_ = std::move(view);

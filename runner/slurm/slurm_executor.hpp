@@ -79,6 +79,7 @@ class SlurmExecutor : public Executor {
   bool is_full(const PreparedTask& task) const;
   std::size_t open_tasks() const;
   SlurmRun* find(const RunHandle& run);
+  void learn_from(const ProcessEnd& end, const SlurmTask& task);
   void find_earlier_jobs();
 
   bool is_time_to_ask() const;
@@ -109,6 +110,8 @@ class SlurmExecutor : public Executor {
   /// Why squeue gave no answer; "". Nothing is started before the first answer.
   std::string unanswered_ = "Slurm was not asked yet";
   std::string refusal_;  ///< why the last sbatch failed; ""
+  std::string failure_;  ///< of the last job that failed before its first case; "" once a case was computed
+  std::chrono::milliseconds hold_ = std::chrono::seconds(10);  ///< after the next such failure
 
   mutable std::mutex view_mutex_;
   View view_;

@@ -11,6 +11,7 @@ std::string why_it_waits(const ListedTask& task) {
       {"Resources", "no node has enough free cores and memory"},
       {"ReqNodeNotAvail", "nodes that it needs are down, drained or reserved"},
       {"Nodes required for job are DOWN", "nodes that it needs are down, drained or reserved"},
+      {"BadConstraints", "no node can give what it asks for"},
       {"NodeDown", "a node that it needs is down"},
       {"PartitionDown", "the partition is down"},
       {"PartitionInactive", "the partition is inactive"},
@@ -46,7 +47,8 @@ std::string how_it_ended(const ListedTask& task) {
   const auto found = kWords.find(task.state);
   const std::string words = found == kWords.end() ? "Slurm says " + task.state : found->second;
   const std::string node = task.node.empty() ? "" : " on node " + task.node;
-  return words + " (job " + task.id + node + ")";
+  const bool has_reason = !task.reason.empty() && task.reason != "None";
+  return words + " (job " + task.id + node + (has_reason ? ", " + task.reason : "") + ")";
 }
 
 }  // namespace capstan

@@ -85,7 +85,9 @@ class RealSlurm : public ::testing::Test {
     const TemporaryDirectory data;
     const Daemon daemon(data.path(), {"--cores", "2"});
     Client client(daemon.url());
-    wait_for_cases(client, submit(client, document), "done", cases);
+    const std::string id = submit(client, document);
+    EXPECT_TRUE(wait_until([&] { return client.get("/v1/studies/" + id)["cases"]["done"] == cases; }, 10min))
+        << why(client, id);
     return answers_in(data.path());
   }
 

@@ -14,7 +14,7 @@ const kColours = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E
 const is_final = (shown) => ["done", "diverged"].includes(shown.state);
 
 const drawn_words = ({shown, history}) => [shown.id, history.kt.length];
-const told_words = ({shown}) => [shown.id, shown.state, shown.motion, shown.message];
+const told_words = ({shown}) => [shown.id, shown.state, shown.motion, shown.message, shown.reasons];
 
 export class OpenCases {
   /// \param close(id)  called when a case is closed
@@ -64,6 +64,7 @@ export class OpenCases {
     const path = `/v1/cases/${encodeURIComponent(id)}`;
     const [shown, history] = await Promise.all([get(path), get(`${path}/history`)]);
     if (is_final(shown)) this.known.set(id, {shown, history});
+    if (["queued", "running"].includes(shown.state)) shown.reasons = (await get(`${path}/why`)).reasons;
     return {shown, history};
   }
 

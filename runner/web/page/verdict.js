@@ -27,7 +27,8 @@ function confirmation({motion, confirmed, error, evidence}) {
 export function verdict(shown) {
   const sentences = [sentence(answer_words(shown))];
   if (shown.explanation) sentences.push(sentence(shown.explanation));
-  if (shown.message) sentences.push(sentence(shown.message));
+  if (shown.reasons) sentences.push(...shown.reasons.map(sentence));  // what it waits for, or where it runs
+  else if (shown.message) sentences.push(sentence(shown.message));
   if (shown.motion) sentences.push(...confirmation(shown));
   if (shown.error?.asked) sentences.push(`An error of ${number_words(shown.error.asked)} was asked for; it is ${shown.error.met ? "" : "not "}met.`);
   return sentences;

@@ -184,6 +184,22 @@ TEST_F(SlurmExecutorTest, RunsOfAJobThatWasRefusedHaveNotBegunAndSayWhy) {
   EXPECT_TRUE(executor_->has_room(0, 1)) << "it is tried again later";
 }
 
+TEST_F(SlurmExecutorTest, JobsThatFailBeforeTheirFirstCaseAreNotRepeatedAtOnce) {
+  const RunHandle run = start();
+  submit();
+  list(run, "FAILED", "NonZeroExitCode");
+  exchange();
+  exchange();
+  const auto end = executor_->poll(run);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->how, ProcessEnd::How::not_begun);
+  EXPECT_FALSE(executor_->has_room(0, 1));
+  executor_->exchange();
+  EXPECT_THAT(executor_->obstacle(), HasSubstr("fail before their first case"));
+  clock_.advance(10s);
+  EXPECT_TRUE(executor_->has_room(0, 1)) << "it is tried again later";
+}
+
 TEST_F(SlurmExecutorTest, WhileTheControllerIsDownRunsGoOnAndNoneIsStarted) {
   const RunHandle run = start();
   submit();
