@@ -25,6 +25,7 @@ set(page_files
   path_of_q.js
   point_dialog.js
   progress_line.js
+  save_picture.js
   server.js
   shapes.js
   study_actions.js

@@ -146,6 +146,24 @@ test("a diagram is downloaded as CSV", async () => {
   await close(page);
 });
 
+test("pictures are saved with the look that they have on the page", async () => {
+  const id = await submit(fake.url, study("form", {Ca: [0.1, 1], V: [1, 10]}));
+  const page = await open(`${fake.url}/#study=${id}`);
+  await page.getByRole("button", {name: /Ca = 0.1, V = 10/}).click();
+  const saved = async (name) => {
+    const coming = page.waitForEvent("download");
+    await page.getByRole("button", {name}).click();
+    return readFile(await (await coming).path());
+  };
+  const diagram = (await saved("phase diagram (SVG)")).toString();
+  assert.match(diagram, /^<svg [^>]*width="640"/);
+  assert.match(diagram, /fill="rgb\(213, 94, 0\)"/);
+  assert.doesNotMatch(diagram, /class=|var\(/);
+  assert.match((await saved("path of Q (SVG)")).toString(), /D_xy cos 2θ/);
+  assert.equal((await saved("D_xy over kt (PNG)")).subarray(1, 4).toString(), "PNG");
+  await close(page);
+});
+
 test("a click between the points computes one there, once its cost has been shown", async () => {
   const id = await submit(fake.url, study("form", {Ca: [0.1, 1], V: [1, 10]}));
   const page = await open(`${fake.url}/#study=${id}`);

@@ -1,5 +1,6 @@
 // D_xy and θ/π over kt, one curve for each case.
 import {element} from "./elements.js";
+import {save_png} from "./save_picture.js";
 import uPlot from "./uPlot.js";
 
 const kHeight = 220;
@@ -37,14 +38,16 @@ class Curve {
     this.label = label;
     this.column = column;
     this.cursor = element("div", {class: "time-cursor", "aria-hidden": "true"});
-    this.place = element("figure", {class: "curve", "aria-label": `${label} over kt`});
+    this.plot_place = element("div");
+    const save = element("button", {"aria-label": `${label} over kt (PNG)`, click: () => save_png(this.plot.ctx.canvas, `${column}.png`)}, "PNG");
+    this.place = element("figure", {class: "curve", "aria-label": `${label} over kt`}, this.plot_place, save);
     new ResizeObserver(() => this.plot?.setSize({width: this.place.clientWidth, height: kHeight})).observe(this.place);
   }
 
   show(curves) {
     this.plot?.destroy();
     const data = joined(curves.map((curve) => curve.history), this.column);
-    this.plot = new uPlot(with_hook(options(this.label, curves, this.place.clientWidth || 600), () => this.set_time(this.kt)), data, this.place);
+    this.plot = new uPlot(with_hook(options(this.label, curves, this.place.clientWidth || 600), () => this.set_time(this.kt)), data, this.plot_place);
     this.plot.over.append(this.cursor);
     this.set_time(this.kt ?? 0);
   }

@@ -2,6 +2,7 @@
 // tank-treading; one that comes closer than 0.06 is a transition.
 import {round_numbers} from "./axis_scale.js";
 import {element, svg_element} from "./elements.js";
+import {save_svg} from "./save_picture.js";
 
 const kRound = 0.06;  // a section with |Q| below this is nearly round (solver/README.md)
 const kSize = 300;
@@ -36,8 +37,9 @@ export class PathOfQ {
   constructor() {
     this.picture = svg_element("svg", {viewBox: `-14 0 ${kSize + 14} ${kSize + 4}`, role: "img", class: "path-of-q",
                                        "aria-label": "Path of Q in its plane"});
+    const save = element("button", {"aria-label": "path of Q (SVG)", click: () => save_svg(this.picture, "path_of_Q.svg")}, "SVG");
     this.place = element("figure", {}, this.picture, element("figcaption", {},
-      "Path of Q, from the dot on. Around 0: tumbling. Beside 0: tank-treading. Into the grey circle, |Q| < 0.06: the section is nearly round."));
+      "Path of Q, from the dot on. Around 0: tumbling. Beside 0: tank-treading. Into the grey circle, |Q| < 0.06: the section is nearly round. ", save));
   }
 
   /// \param curves  [{title, colour, history}]

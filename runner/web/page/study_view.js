@@ -9,6 +9,7 @@ import {go_to, read_link} from "./link.js";
 import {OpenCases} from "./open_cases.js";
 import {PointDialog, rounded} from "./point_dialog.js";
 import {ProgressLine} from "./progress_line.js";
+import {save_svg} from "./save_picture.js";
 import {get} from "./server.js";
 import {StudyActions} from "./study_actions.js";
 
@@ -119,8 +120,9 @@ export class StudyView {
       files.push(["phase diagram (CSV)", `${diagram}&format=csv`, "_diagram.csv"], ["phase diagram (JSON)", diagram, "_diagram.json"]);
     if (study.links.boundary)
       files.push(["boundary (CSV)", `${study.links.boundary}?format=csv`, "_boundary.csv"], ["boundary (JSON)", study.links.boundary, "_boundary.json"]);
+    const picture = element("button", {click: () => save_svg(this.points.picture, `${study.id}_diagram.svg`)}, "phase diagram (SVG)");
     this.files.replaceChildren("Download: ",
-      ...files.flatMap(([words, address, end]) => [download_link(words, address, study.id + end), " "]));
+      ...files.flatMap(([words, address, end]) => [download_link(words, address, study.id + end), " "]), ...(diagram ? [picture] : []));
   }
 
   open(ids, adds) {
