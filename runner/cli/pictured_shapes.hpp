@@ -6,7 +6,8 @@
 namespace capstan {
 
 /// A panel for each time, with the profiles of all cases. Throws std::invalid_argument where a case has
-/// recorded no shape at a time. \param times  kt; none: one panel with the last shape of each case
+/// recorded no shape at a time.
+/// \param times  kt; none: one panel with the last shape of each case
 std::vector<ProfilePanel> profile_panels(Client& client, const std::vector<PicturedCase>& cases,
                                          const std::vector<double>& times);
 

@@ -53,8 +53,8 @@ std::string path_of_any(Client& client, const std::string& typed) {
       paths.push_back(std::string("/v1/") + kind + "/" + id);
       if (id == typed) return paths.back();
     }
-  for (const std::string& path : paths)
-    if (is_study(path) && client.get(path)["name"] == typed && found["studies"].size() == 1) return path;
+  const bool is_one_study_among_cases = found["studies"].size() == 1 && paths.size() > 1;
+  if (is_one_study_among_cases && client.get(paths.front())["name"] == typed) return paths.front();
   only_match("study or case", typed, named);
   return paths.front();
 }

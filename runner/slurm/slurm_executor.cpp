@@ -80,7 +80,8 @@ SlurmExecutor::SlurmExecutor(SlurmSettings settings, const std::filesystem::path
     : settings_(std::move(settings)),
       runs_directory_(std::filesystem::canonical(runs)),
       jobs_directory_(runs_directory_ / "jobs"),
-      clock_(clock) {}
+      clock_(clock),
+      hold_(kHold) {}
 
 bool SlurmExecutor::is_full(const PreparedTask& task) const {
   return task.runs.size() >= cases_a_task_ || task.seconds >= kTaskSeconds;

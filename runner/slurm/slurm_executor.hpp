@@ -111,7 +111,7 @@ class SlurmExecutor : public Executor {
   std::string unanswered_ = "Slurm was not asked yet";
   std::string refusal_;  ///< why the last sbatch failed; ""
   std::string failure_;  ///< of the last job that failed before its first case; "" once a case was computed
-  std::chrono::milliseconds hold_ = std::chrono::seconds(10);  ///< after the next such failure
+  std::chrono::milliseconds hold_;  ///< after the next such failure
 
   mutable std::mutex view_mutex_;
   View view_;

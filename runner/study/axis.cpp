@@ -6,6 +6,7 @@
 
 #include "solver/case/mistyped_keys.hpp"
 #include "solver/case/nearest_word.hpp"
+#include "solver/case/parameters.hpp"
 #include "solver/case/significant_digits.hpp"
 
 namespace capstan {
@@ -159,6 +160,11 @@ const std::vector<std::string_view>& axis_parameters() {
     return all;
   }();
   return names;
+}
+
+bool takes_numbers(std::string_view parameter) {
+  const Parameter* found = find_parameter(parameter);
+  return found && found->value->takes_numbers();
 }
 
 }  // namespace capstan

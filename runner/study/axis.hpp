@@ -65,4 +65,7 @@ std::optional<Axis> read_axis(const std::string& parameter, const nlohmann::json
 /// The parameters that can be an axis, in the order in which axes are listed: the scalar ones and fidelity.
 const std::vector<std::string_view>& axis_parameters();
 
+/// Whether an axis of this parameter can be of numbers; false for keys that are no parameters.
+bool takes_numbers(std::string_view parameter);
+
 }  // namespace capstan

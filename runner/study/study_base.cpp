@@ -1,6 +1,6 @@
 #include "runner/study/study_base.hpp"
 
-#include "solver/case/parameters.hpp"
+#include "runner/study/axis.hpp"
 
 namespace capstan {
 namespace {
@@ -12,8 +12,7 @@ int axes_of_numbers(const json& document) {
   int count = 0;
   const json axes = document.value("axes", json::object());
   for (const auto& [name, values] : axes.items())
-    if (const Parameter* parameter = find_parameter(name); parameter && values.size() > 1)
-      count += parameter->value->takes_numbers();
+    if (values.size() > 1 && takes_numbers(name)) ++count;
   return count;
 }
 

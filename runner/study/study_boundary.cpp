@@ -14,21 +14,14 @@ using nlohmann::json;
 std::string names_of_numbers() {
   std::string names;
   for (const std::string_view name : scalar_parameters())
-    if (find_parameter(name)->value->takes_numbers())
-      names += (names.empty() ? "" : ", ") + std::string(name);
+    if (takes_numbers(name)) names += (names.empty() ? "" : ", ") + std::string(name);
   return names;
-}
-
-bool takes_numbers(const std::string& parameter) {
-  const auto& known = scalar_parameters();
-  return std::ranges::find(known, parameter) != known.end() &&
-         find_parameter(parameter)->value->takes_numbers();
 }
 
 /// "" if it has an issue.
 std::string read_along(const json& given, IssueCollector& issues) {
   const json along = given.value("along", json());
-  if (along.is_string() && takes_numbers(along)) return along;
+  if (along.is_string() && takes_numbers(along.get<std::string>())) return along;
   issues.add("/boundary/along", "must be one of: " + names_of_numbers());
   return "";
 }

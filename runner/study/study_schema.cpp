@@ -19,8 +19,7 @@ ordered_json property_of_case(std::string_view key) {
 /// The schema of an axis: a list of values or, for a parameter that is a number, an evenly spaced range.
 ordered_json axis_schema(std::string_view key) {
   ordered_json list = {{"type", "array"}, {"minItems", 1}, {"items", property_of_case(key)}};
-  const Parameter* parameter = find_parameter(key);
-  if (!parameter || !parameter->value->takes_numbers()) return list;
+  if (!takes_numbers(key)) return list;
   return {{"oneOf", ordered_json::array({std::move(list), {{"$ref", "#/definitions/range"}}})}};
 }
 
@@ -63,7 +62,7 @@ ordered_json range_schema() {
 ordered_json searched_parameters() {
   ordered_json names = ordered_json::array();
   for (const std::string_view key : scalar_parameters())
-    if (find_parameter(key)->value->takes_numbers()) names.push_back(key);
+    if (takes_numbers(key)) names.push_back(key);
   return names;
 }
 

@@ -7,8 +7,9 @@
 namespace capstan {
 
 /// Computes one rung after the other, and publishes the last one as the run of the case. If the finest rung
-/// does not meet the error, the finest one with an answer is published, with a warning. \param parsed with a
-/// value \param end_seconds  value of steady_seconds() at which the run is interrupted
+/// does not meet the error, the finest one with an answer is published, with a warning.
+/// \param parsed       with a value
+/// \param end_seconds  value of steady_seconds() at which the run is interrupted
 RunEnding climb(const ParsedCase& parsed, const RunDirectory& directory, double end_seconds);
 
 }  // namespace capstan
