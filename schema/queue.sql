@@ -1,4 +1,4 @@
--- Tables of the daemon's database, format 6. schema/migrations/ has one script for each step from a format to the next:
+-- Tables of the daemon's database, format 7. schema/migrations/ has one script for each step from a format to the next:
 -- an older database runs the scripts that it lacks, a new one is made from this file. Both have the same tables.
 --
 -- Times are milliseconds since 1970, UTC. The daemon is the only writer. schema/life_cycle.md draws the states of a case.
@@ -31,8 +31,10 @@ CREATE TABLE cases (
   kt               REAL NOT NULL DEFAULT 0,          -- dimensionless time that the run has reached
   not_before       INTEGER NOT NULL DEFAULT 0,       -- end of the back-off after a crash
   numerics         INTEGER NOT NULL DEFAULT 1,       -- numerics version of the solver, part of the id
-  cost             REAL NOT NULL DEFAULT 0           -- estimated seconds of one core; 0: not estimated yet
+  cost             REAL NOT NULL DEFAULT 0,          -- estimated seconds of one core; 0: not estimated yet
+  steps_id         TEXT NOT NULL DEFAULT ''          -- equal for cases that differ in the end of the run only
 );
+CREATE INDEX cases_to_go_on_from ON cases (steps_id, kt) WHERE state = 'done';
 CREATE INDEX cases_by_state ON cases (state, number);
 CREATE INDEX cases_begun ON cases (id) WHERE kt > 0 AND state IN ('queued', 'running');   -- partly computed
 CREATE INDEX cases_without_cost ON cases (id) WHERE cost = 0;   -- of older programs; empty after the first start

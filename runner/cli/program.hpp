@@ -24,8 +24,9 @@ struct WorkerCommands {
   /// `capstan solve`.
   /// \param out           run directory
   /// \param wall_seconds  time limit: then the run writes a checkpoint and stops
+  /// \param shorter       directory of a run from whose end this one goes on; empty: it starts at kt = 0
   std::function<int(const std::filesystem::path& case_file, const std::filesystem::path& out,
-                    double wall_seconds)>
+                    double wall_seconds, const std::filesystem::path& shorter)>
       solve;
   /// `capstan compare`
   std::function<int(const std::vector<std::filesystem::path>& case_files, bool json)> compare = nullptr;

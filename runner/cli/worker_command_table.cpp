@@ -17,7 +17,7 @@ namespace capstan {
 namespace {
 
 struct SolveArguments {
-  std::filesystem::path file, out;
+  std::filesystem::path file, out, shorter;
   double wall_seconds = std::numeric_limits<double>::infinity();
   bool json = false;
 };
@@ -37,14 +37,20 @@ Command solve_command(const WorkerCommands& worker) {
                         "to its end")
             ->check(CLI::PositiveNumber)
             ->type_name("S");
+        parser
+            .add_option("--from", arguments.shorter,
+                        "directory of a run of the same case to an earlier end: this run goes on from there")
+            ->type_name("DIR");
         parser.add_flag("--json", arguments.json, "print the run's result.json at the end");
       }},
       "A run that was killed goes on where it stood when the same command is given again.\n"
-      "Example:\n  capstan solve case.json --out runs/first\n",
+      "Example:\n"
+      "  capstan solve case.json --out runs/first\n"
+      "  capstan solve longer.json --from runs/first --out runs/longer\n",
       [solve = worker.solve](const SolveArguments& arguments) {
         end_with_daemon();
         publish_only_as_own_attempt(RunDirectory(arguments.out));
-        const int code = solve(arguments.file, arguments.out, arguments.wall_seconds);
+        const int code = solve(arguments.file, arguments.out, arguments.wall_seconds, arguments.shorter);
         if (arguments.json && (code == kExitDone || code == kExitNoAnswer))
           std::cout << read_input(RunDirectory(arguments.out).result_file());
         return code;

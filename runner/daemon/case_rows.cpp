@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solver/case/content_id.hpp"
+#include "solver/case/equal_steps.hpp"
 #include "solver/case/run_cost.hpp"
 
 namespace capstan {
@@ -10,11 +11,17 @@ namespace capstan {
 std::string add_case(Database& database, const Case& c) {
   auto [id, document] = canonical(c);
   database.execute(
-      "INSERT INTO cases (id, document, numerics, cost) VALUES (?, ?, ?, ?) ON CONFLICT (id) DO NOTHING", id,
-      document, kNumericsVersion, case_cost(c));
+      "INSERT INTO cases (id, document, numerics, cost, steps_id) VALUES (?, ?, ?, ?, ?)"
+      " ON CONFLICT (id) DO NOTHING",
+      id, document, kNumericsVersion, case_cost(c), steps_id(c));
   database.execute("UPDATE cases SET state = 'queued', message = '' WHERE id = ? AND state = 'cancelled'",
                    id);
   return id;
+}
+
+std::string stored_steps_id(Database& database, const std::string& case_id) {
+  Statement row = database.query("SELECT steps_id FROM cases WHERE id = ?", case_id);
+  return row.step() ? row.text(0) : "";
 }
 
 std::vector<StoredCase> read_cases(Statement rows) {

@@ -14,6 +14,9 @@ namespace capstan {
 /// Queues the case if it is new or was cancelled. Returns its id.
 std::string add_case(Database& database, const Case& c);
 
+/// The id that cases with equal steps share (solver/case/equal_steps.hpp); "" for one of an older program.
+std::string stored_steps_id(Database& database, const std::string& case_id);
+
 struct StoredCase {
   std::string id;
   nlohmann::json document;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runner/daemon/earlier_run.hpp"
 #include "runner/daemon/outcome_of_run.hpp"
 #include "runner/daemon/record_run.hpp"
 #include "runner/daemon/remove_deleted_cases.hpp"
@@ -141,6 +142,9 @@ bool Scheduler::start_next() {
 
 void Scheduler::start_process(Claim& claim, const RunDirectory& directory) {
   directory.prepare(claim.document);
+  if (directory.is_worthless())
+    if (const auto earlier = earlier_run(writer_.database, claim.case_id))
+      directory.go_on_from(data_.run(*earlier));
   directory.begin_attempt(claim.token);
   fail_point("prepared");
   claim.handle = executor_.start(claim, directory);

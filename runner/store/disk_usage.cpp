@@ -15,10 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Several runs share a file where one goes on from another: each counts its part.
 std::uint64_t allocated_bytes(const fs::path& file) {
   constexpr std::uint64_t kBlock = 512;  // stat(2)
   struct stat status {};
-  return lstat(file.c_str(), &status) == 0 ? kBlock * static_cast<std::uint64_t>(status.st_blocks) : 0;
+  if (lstat(file.c_str(), &status) != 0) return 0;
+  return kBlock * static_cast<std::uint64_t>(status.st_blocks) / std::max<std::uint64_t>(status.st_nlink, 1);
 }
 
 RunBytes usage_of(const RunDirectory& run) {

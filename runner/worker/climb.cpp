@@ -88,18 +88,19 @@ std::string not_met(const ordered_json& error, const Case& best) {
          ", and no finer rung has an answer; ask for a shorter until.kt or a larger error";
 }
 
-/// Moves the shapes of a rung to the directory of the case.
-void move_shapes(const RunDirectory& from, const RunDirectory& to) {
-  if (!fs::exists(from.shapes_directory())) return;
-  fs::remove_all(to.shapes_directory());
-  fs::rename(from.shapes_directory(), to.shapes_directory());
-  fs::rename(from.shape_index_file(), to.shape_index_file());
+/// The directory of the case shows the shapes of a rung. The rung keeps its own, with which a longer run goes
+/// on.
+void show_shapes(const RunDirectory& rung, const RunDirectory& of_case) {
+  if (!fs::exists(rung.shapes_directory())) return;
+  fs::remove_all(of_case.shapes_directory());
+  link_files(rung.shapes_directory(), of_case.shapes_directory());
+  fs::copy_file(rung.shape_index_file(), of_case.shape_index_file(), fs::copy_options::overwrite_existing);
 }
 
 void publish_files(const FinishedRun& run, const RunDirectory& directory) {
   const RunDirectory rung = directory.rung(run.parameters.fidelity.nodes);
   write_durably(directory.history_file(), read_file(rung.history_file()).value_or(""));
-  move_shapes(rung, directory);
+  show_shapes(rung, directory);
 }
 
 }  // namespace

@@ -7,8 +7,11 @@
 
 #include "runner/worker/interruption.hpp"
 #include "runner/worker/run_progress.hpp"
+#include "solver/case/content_id.hpp"
+#include "solver/case/equal_steps.hpp"
 #include "solver/output/run_recorder.hpp"
 #include "solver/run_directory/attempt_token.hpp"
+#include "solver/run_directory/checkpoint_files.hpp"
 #include "solver/run_directory/durable_file.hpp"
 
 namespace capstan {
@@ -58,10 +61,6 @@ void show_history_of(const RunDirectory& rung, const RunDirectory& of_case) {
   link.replace();
 }
 
-void remove_checkpoints(const RunDirectory& directory) {
-  for (const fs::path& checkpoint : directory.checkpoint_paths()) fs::remove(checkpoint);
-}
-
 }  // namespace
 
 std::optional<FinishedRun> compute_run(const Case& c, const Choices& choices, const RunDirectory& directory,
@@ -84,7 +83,7 @@ std::optional<FinishedRun> compute_rung(const Case& rung, const RunDirectory& of
   auto run = compute_run(rung, {}, directory, end_seconds);
   if (!run) return std::nullopt;
   write_durably(directory.result_file(), run->result.dump(2) + "\n");
-  remove_checkpoints(directory);
+  keep_newest_checkpoint(directory, steps_id(rung), kNumericsVersion);
   return run;
 }
 

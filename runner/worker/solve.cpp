@@ -9,6 +9,8 @@
 #include "runner/worker/run_case.hpp"
 #include "solver/case/case_warnings.hpp"
 #include "solver/case/content_id.hpp"
+#include "solver/case/equal_steps.hpp"
+#include "solver/case/shown_number.hpp"
 #include "solver/output/run_recorder.hpp"
 #include "solver/run_directory/attempt_token.hpp"
 #include "solver/run_directory/directory_lock.hpp"
@@ -39,8 +41,23 @@ void print_choices_and_warnings(const ParsedCase& parsed) {
   for (const std::string& warning : case_warnings(*parsed.value)) std::cerr << "warning: " << warning << "\n";
 }
 
-int lock_and_run(const std::filesystem::path& case_file, const std::filesystem::path& out,
-                 double end_seconds) {
+/// Takes over the files of a shorter run. Returns why the case cannot go on from it; "" if it can.
+std::string go_on_from(const RunDirectory& shorter, const RunDirectory& directory, const Case& c) {
+  const std::string name = shorter.path().string();
+  if (!shorter.result()) return name + " holds no finished run";
+  const ParsedCase earlier = read_case(shorter.case_file());
+  if (!earlier.value || steps_id(*earlier.value) != steps_id(c))
+    return name + " holds a case with other steps: only the keys of until may differ";
+  const double reached = shorter.result()->at("final").at("kt");
+  if (!passes_end_of(earlier.value->until, reached, c.until))
+    return "the run in " + name + " ended at kt = " + shown(reached) +
+           ", which this case does not pass: raise until.kt, or ask for the same until.classified";
+  directory.go_on_from(shorter);
+  return "";
+}
+
+int lock_and_run(const std::filesystem::path& case_file, const std::filesystem::path& out, double end_seconds,
+                 const std::filesystem::path& shorter) {
   const ParsedCase parsed = read_case(case_file);
   print_case_issues(case_file, parsed.issues);
   if (!parsed.value) return kExitInvalidInput;
@@ -56,19 +73,25 @@ int lock_and_run(const std::filesystem::path& case_file, const std::filesystem::
     std::cerr << out.string() << " holds the run of another case: choose another directory\n";
     return kExitInvalidInput;
   }
+  const std::string reason =
+      shorter.empty() ? "" : go_on_from(RunDirectory(shorter), directory, *parsed.value);
+  if (!reason.empty()) {
+    std::cerr << reason << "\n";
+    return kExitInvalidInput;
+  }
   print_choices_and_warnings(parsed);
   return exit_code_of(run_case(parsed, directory, end_seconds));
 }
 
 }  // namespace
 
-int solve_case(const std::filesystem::path& case_file, const std::filesystem::path& out,
-               double wall_seconds) {
+int solve_case(const std::filesystem::path& case_file, const std::filesystem::path& out, double wall_seconds,
+               const std::filesystem::path& shorter) {
   const double end_seconds = steady_seconds() + wall_seconds;
   catch_stop_signals();
   use_one_core_by_default();
   try {
-    return lock_and_run(case_file, out, end_seconds);
+    return lock_and_run(case_file, out, end_seconds, shorter);
   } catch (const AttemptWithdrawn&) {
     throw;
   } catch (const std::exception& error) {

@@ -23,21 +23,22 @@ StateArchive read_state(const CheckpointFile& checkpoint) {
 
 }  // namespace
 
-void write_checkpoint(const fs::path& directory, const StateArchive& state, const std::string& case_id) {
-  const auto [newer, older] = checkpoint_files(RunDirectory(directory), case_id, kNumericsVersion);
+void write_checkpoint(const fs::path& directory, const StateArchive& state, const std::string& steps_id) {
+  const auto [newer, older] = checkpoint_files(RunDirectory(directory), steps_id, kNumericsVersion);
   PendingFile pending(older.path);
   Hdf5Writer file(pending.temporary(), kCheckpointHeaderSize);
   for (const std::string& name : state.names()) file.write(name, state.get(name));
   file.close();
-  seal_checkpoint(pending.temporary(),
-                  {.numerics = kNumericsVersion, .case_id = case_id, .sequence = newer.header.sequence + 1});
+  seal_checkpoint(
+      pending.temporary(),
+      {.numerics = kNumericsVersion, .steps_id = steps_id, .sequence = newer.header.sequence + 1});
   pending.publish();
 }
 
 std::optional<StateArchive> read_newest_checkpoint(
-    const fs::path& directory, const std::string& case_id,
+    const fs::path& directory, const std::string& steps_id,
     const std::function<void(const std::string&)>& on_passed_over) {
-  const auto both = checkpoint_files(RunDirectory(directory), case_id, kNumericsVersion);
+  const auto both = checkpoint_files(RunDirectory(directory), steps_id, kNumericsVersion);
   for (const CheckpointFile& file : both)
     if (!file.reason.empty()) on_passed_over(file.path.string() + " " + file.reason);
   for (const CheckpointFile& file : both) {

@@ -14,13 +14,13 @@ namespace capstan {
 /// archive is one array of the HDF5 file, written without a copy in memory. Throws a std::runtime_error
 /// naming operation and file; then both old files are unchanged.
 void write_checkpoint(const std::filesystem::path& directory, const StateArchive& state,
-                      const std::string& case_id);
+                      const std::string& steps_id);
 
-/// The newest checkpoint that is undamaged and belongs to this case, this numerics version and this format;
-/// none if there is no such file. For each file that is not used, `on_passed_over` is called with a sentence
-/// that gives the reason.
+/// The newest checkpoint that is undamaged and belongs to a case with these steps, this numerics version and
+/// this format; none if there is no such file. For each file that is not used, `on_passed_over` is called
+/// with a sentence that gives the reason.
 std::optional<StateArchive> read_newest_checkpoint(
-    const std::filesystem::path& directory, const std::string& case_id,
+    const std::filesystem::path& directory, const std::string& steps_id,
     const std::function<void(const std::string&)>& on_passed_over = [](const std::string&) {});
 
 }  // namespace capstan

@@ -4,7 +4,8 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "solver/case/content_id.hpp"
+#include "solver/case/equal_steps.hpp"
+#include "solver/case/shown_number.hpp"
 #include "solver/output/checkpoint.hpp"
 #include "solver/output/result.hpp"
 #include "solver/run_directory/durable_file.hpp"
@@ -27,11 +28,32 @@ RunRecorder::RunRecorder(std::filesystem::path directory, const Case& c, Choices
   std::filesystem::create_directories(directory_.path());
 }
 
+namespace {
+
+void put_end(StateArchive& state, const Until& until) {
+  state.put("until", {until.kt, double(until.classified), until.at_most});
+}
+
+Until end_in(const StateArchive& state) {
+  const auto saved = state.get("until");
+  return {.kt = saved[0], .classified = saved[1] != 0, .at_most = saved[2]};
+}
+
+/// Whether a run with this end goes through the state of the checkpoint.
+bool passes(const Until& until, const StateArchive& state) {
+  const Until earlier = end_in(state);
+  return until == earlier || passes_end_of(earlier, std::min(state.number("kt"), earlier.last()), until);
+}
+
+}  // namespace
+
 void RunRecorder::resume(Simulation& simulation, const std::function<void(const std::string&)>& log) {
-  if (const auto checkpoint = read_newest_checkpoint(directory_.path(), case_id(case_), log)) {
+  const auto checkpoint = read_newest_checkpoint(directory_.path(), steps_id(case_), log);
+  if (checkpoint && passes(case_.until, *checkpoint)) {
     simulation.load(*checkpoint);
     seconds_before_ = checkpoint->number("seconds");
-    log("resumed at step " + std::to_string(simulation.statistics().steps));
+    log("resumed at step " + std::to_string(simulation.statistics().steps) +
+        ", kt = " + rounded(simulation.kt(), 4));
   }
   faces_ = simulation.faces();
   reference_ = simulation.reference();
@@ -67,7 +89,8 @@ void RunRecorder::shape(double kt, int frame, const Points& positions, const Poi
 
 void RunRecorder::checkpoint(StateArchive state) {
   state.put("seconds", seconds());
-  write_checkpoint(directory_.path(), state, case_id(case_));
+  put_end(state, case_.until);
+  write_checkpoint(directory_.path(), state, steps_id(case_));
   checkpoints_.done(asked_, seconds_here());
 }
 

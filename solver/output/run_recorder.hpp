@@ -27,7 +27,8 @@ class RunRecorder : public RunOutput {
   RunRecorder(std::filesystem::path directory, const Case& c, Choices choices,
               std::function<bool()> interrupted, SecondsClock clock = steady_seconds);
 
-  /// Restores the newest valid checkpoint, if there is one. Calls `log` with one sentence for the checkpoint
+  /// Restores the newest valid checkpoint, if there is one: of this run, or of a shorter one with equal steps
+  /// that this run passes. Calls `log` with one sentence for the checkpoint
   /// that is used, and one for each that cannot be used.
   void resume(Simulation& simulation, const std::function<void(const std::string&)>& log);
 

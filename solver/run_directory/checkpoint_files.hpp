@@ -21,8 +21,11 @@ struct CheckpointFile {
 /// Both files, the newer usable one first; if none is usable, b and then a, so that a run begins with a.
 /// Reads only the headers.
 /// \param numerics  the numerics version of the program that would resume
-std::array<CheckpointFile, 2> checkpoint_files(const RunDirectory& directory, const std::string& case_id,
+std::array<CheckpointFile, 2> checkpoint_files(const RunDirectory& directory, const std::string& steps_id,
                                                int numerics);
+
+/// Removes the other one. If that cannot be done, only disk space is lost.
+void keep_newest_checkpoint(const RunDirectory& directory, const std::string& steps_id, int numerics);
 
 /// The same file after all of it was read: not usable if its checksum is wrong.
 CheckpointFile with_checksum(CheckpointFile file);

@@ -10,18 +10,19 @@
 namespace capstan {
 namespace {
 
-/// Every field but the checksum.
+/// Every field but the checksum. A checkpoint of format 1 has the id of its case.
 std::string print_fields(const CheckpointHeader& header) {
   std::ostringstream text;
-  text << "capstan-checkpoint " << header.format << "\nnumerics " << header.numerics << "\ncase "
-       << header.case_id << "\nsequence " << header.sequence << "\nsize " << header.size << "\n";
+  text << "capstan-checkpoint " << header.format << "\nnumerics " << header.numerics << "\n"
+       << (header.format == 1 ? "case " : "steps ") << header.steps_id << "\nsequence " << header.sequence
+       << "\nsize " << header.size << "\n";
   return text.str();
 }
 
 std::string print_header(const CheckpointHeader& header) {
   std::string text = print_fields(header) + "crc32 " + std::to_string(header.crc) + "\n";
   if (text.size() > kCheckpointHeaderSize)
-    throw std::invalid_argument("the case id is too long: " + header.case_id);
+    throw std::invalid_argument("the id is too long: " + header.steps_id);
   text.resize(kCheckpointHeaderSize, '\0');
   return text;
 }
@@ -31,7 +32,7 @@ CheckpointHeader scan_header(const std::string& text) {
   CheckpointHeader header;
   std::istringstream in(text);
   std::string label;
-  in >> label >> header.format >> label >> header.numerics >> label >> header.case_id >> label >>
+  in >> label >> header.format >> label >> header.numerics >> label >> header.steps_id >> label >>
       header.sequence >> label >> header.size >> label >> header.crc;
   return header;
 }

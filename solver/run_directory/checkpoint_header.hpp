@@ -1,5 +1,5 @@
 #pragma once
-// The first 512 bytes of a checkpoint: the program version that wrote it, the case, its number in the
+// The first 512 bytes of a checkpoint: the program version that wrote it, the run, its number in the
 // sequence, and the checksum of the file.
 //
 // They are plain text in HDF5's user block (`head -n 6 checkpoint-a.h5` shows them). A damaged file is
@@ -11,13 +11,13 @@
 
 namespace capstan {
 
-inline constexpr int kCheckpointFormat = 1;
+inline constexpr int kCheckpointFormat = 2;
 inline constexpr size_t kCheckpointHeaderSize = 512;  // the smallest user block HDF5 allows
 
 struct CheckpointHeader {
   int format = kCheckpointFormat;
   int numerics = 0;            ///< kNumericsVersion of the program that wrote the file
-  std::string case_id;         ///< without white space
+  std::string steps_id;        ///< of the case (solver/case/equal_steps.hpp)
   std::uint64_t sequence = 0;  ///< 1 for the first checkpoint of a run; the highest is the newest
   std::uint64_t size = 0;      ///< bytes of the whole file
   /// CRC-32 (zlib's) of the fields above as printed, followed by all bytes after the header

@@ -115,4 +115,17 @@ void write_atomically(const fs::path& path, std::string_view bytes) {
   file.replace();
 }
 
+void link_file(const fs::path& from, const fs::path& to) {
+  if (fs::exists(to)) return;
+  std::error_code no_links;
+  fs::create_hard_link(from, to, no_links);
+  if (no_links) fs::copy_file(from, to);
+}
+
+void link_files(const fs::path& from, const fs::path& to) {
+  fs::create_directories(to);
+  for (const auto& entry : fs::directory_iterator(from))
+    if (entry.is_regular_file()) link_file(entry.path(), to / entry.path().filename());
+}
+
 }  // namespace capstan

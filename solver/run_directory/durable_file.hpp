@@ -51,4 +51,12 @@ void write_durably(const std::filesystem::path& path, std::string_view bytes);
 /// The same without waiting for the disk, for files that can be written again.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// Makes a file appear under another name, too, unless that name is taken: a hard link, or a copy on a file
+/// system without links. As files are only ever replaced as a whole, neither name changes the other's
+/// content.
+void link_file(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// The same for all files of a folder. Makes the other folder if it is not there.
+void link_files(const std::filesystem::path& from, const std::filesystem::path& to);
+
 }  // namespace capstan

@@ -26,11 +26,12 @@ std::filesystem::path RunDirectory::frame_file(int frame) const {
 }
 
 RunDirectory RunDirectory::rung(int nodes) const {
-  return RunDirectory(path_ / "rungs" / std::to_string(nodes));
+  return RunDirectory(rungs_directory() / std::to_string(nodes));
 }
 
 bool RunDirectory::is_shape(const std::filesystem::path& file) const {
-  return file.parent_path() == shapes_directory() || file.filename().string().starts_with("shapes");
+  return file.parent_path().filename() == shapes_directory().filename() ||
+         file.filename().string().starts_with("shapes");
 }
 
 bool RunDirectory::is_checkpoint(const std::filesystem::path& file) const {
@@ -43,6 +44,18 @@ void RunDirectory::prepare(const std::string& case_document) const {
   std::filesystem::create_directories(path_);
   std::ifstream present(case_file(), std::ios::binary);
   if (read_from(present) != case_document + "\n") write_atomically(case_file(), case_document + "\n");
+}
+
+void RunDirectory::go_on_from(const RunDirectory& earlier) const {
+  std::filesystem::create_directories(path_);
+  const auto from = earlier.checkpoint_paths(), to = checkpoint_paths();
+  for (std::size_t i = 0; i < from.size(); ++i)
+    if (std::filesystem::exists(from[i])) link_file(from[i], to[i]);
+  if (std::filesystem::exists(earlier.shapes_directory()))
+    link_files(earlier.shapes_directory(), shapes_directory());
+  if (!std::filesystem::exists(earlier.rungs_directory())) return;
+  for (const auto& rung : std::filesystem::directory_iterator(earlier.rungs_directory()))
+    RunDirectory(rungs_directory() / rung.path().filename()).go_on_from(RunDirectory(rung.path()));
 }
 
 void RunDirectory::begin_attempt(const std::string& token) const {

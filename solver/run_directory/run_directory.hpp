@@ -34,14 +34,20 @@ class RunDirectory {
 
   /// The run of the same case at another resolution: rungs/162 for 162 nodes.
   RunDirectory rung(int nodes) const;
+  std::filesystem::path rungs_directory() const { return path_ / "rungs"; }
 
   /// True for the index of the shapes and for all that lies in shapes/, also for files still being written.
+  /// Of the run and of its rungs.
   bool is_shape(const std::filesystem::path& file) const;
   /// True for a checkpoint, also for one that is still being written.
   bool is_checkpoint(const std::filesystem::path& file) const;
 
   /// Makes the directory, and writes the case file unless it holds that document already.
   void prepare(const std::string& case_document) const;
+
+  /// Makes the checkpoints and shapes of another run, and those of its rungs, appear here: this run goes on
+  /// from them if it makes the same steps. Leaves files that are here already.
+  void go_on_from(const RunDirectory& earlier) const;
 
   /// Gives the directory to the attempt with this token. Processes of earlier attempts publish nothing any
   /// more (attempt_token.hpp).

@@ -62,8 +62,8 @@ struct Coefficients {
 
 }  // namespace
 
-StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, double kt_end,
-                                        const Points& velocities, Points& positions) {
+StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, const Points& velocities,
+                                        Points& positions) {
   field_ = &field;
   report_ = {};
   if (step_ == 0) step_ = options_.largest_step / 10;
@@ -75,7 +75,7 @@ StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, d
       return {.kt = kt,
               .flow = lost_flow("the membrane has become thousands of times as stiff as it was"),
               .refusals = refusals};
-    const double step = next_step(kt_end - kt);
+    const double step = next_step();
     Trial trial = attempt(kt, step, positions, velocities);
     const double factor =
         std::isfinite(trial.error) ? std::clamp(0.8 / std::cbrt(trial.error), 0.1, 3.) : 0.1;
@@ -85,7 +85,7 @@ StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, d
       step_ = std::min(std::max(options_.largest_step, options_.soft_step),
                        std::max(step * factor, factor >= 1 ? step_ : 0.));
       report_.converged = true;  // flow solutions that failed were repeated with a smaller step
-      return {.kt = step == kt_end - kt ? kt_end : kt + step, .flow = report_, .refusals = refusals};
+      return {.kt = kt + step, .flow = report_, .refusals = refusals};
     }
     ++refusals;
     step_ = step * factor;
@@ -104,14 +104,9 @@ double RungeKuttaChebyshev::longest_accurate_step() const {
   return std::max(options_.largest_step, std::min(options_.soft_step, kSoft / spectral_radius_));
 }
 
-/// The longest step that error and stability allow. The last two steps of the run have equal length, so that
-/// the last one is not much shorter than the others.
-/// \param left  kt to the end of the run
-double RungeKuttaChebyshev::next_step(double left) const {
-  const double longest =
-      std::min({step_, longest_accurate_step(), kMaxStages * kMaxStages / (1.6 * spectral_radius_)});
-  if (left <= longest * (1 + 1e-9)) return left;
-  return std::min(longest, left / 2);
+/// The longest step that error and stability allow.
+double RungeKuttaChebyshev::next_step() const {
+  return std::min({step_, longest_accurate_step(), kMaxStages * kMaxStages / (1.6 * spectral_radius_)});
 }
 
 RungeKuttaChebyshev::Trial RungeKuttaChebyshev::attempt(double kt, double step, const Points& start,

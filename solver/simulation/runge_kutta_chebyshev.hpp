@@ -17,7 +17,7 @@ class RungeKuttaChebyshev : public TimeStepper {
   RungeKuttaChebyshev() : RungeKuttaChebyshev(Options{}) {}
   explicit RungeKuttaChebyshev(const Options& options) : options_(options) {}
 
-  StepReport advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
+  StepReport advance(const VelocityField& field, double kt, const Points& velocities,
                      Points& positions) override;
   void save(StateArchive& archive) const override;
   void load(const StateArchive& archive) override;
@@ -32,7 +32,7 @@ class RungeKuttaChebyshev : public TimeStepper {
     double error = 0;  ///< in units of the tolerance; not finite if a flow solution failed
   };
   double longest_accurate_step() const;
-  double next_step(double left) const;
+  double next_step() const;
   Trial attempt(double kt, double step, const Points& start, const Points& velocities);
   void estimate_spectral_radius(double kt, const Points& positions, const Points& velocities);
   bool has_stiffened_too_much() const;

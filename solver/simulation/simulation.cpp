@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -20,15 +19,13 @@ namespace capstan {
 // it.
 Outcome Simulation::run(RunOutput& output) {
   std::optional<Outcome> breakdown;
-  if (history_.empty()) {
-    breakdown = solve_flow_now();
-    if (!breakdown) write_due_output(output);
-  }
+  if (history_.empty()) breakdown = solve_flow_now();
+  if (!breakdown)  // the last state of a shorter run lacks output of this one
+    if (auto outcome = observe(output)) return *outcome;
   while (!breakdown) {
     breakdown = step();
     if (breakdown) break;
-    write_due_output(output);
-    if (auto outcome = finished(output)) return *outcome;
+    if (auto outcome = observe(output)) return *outcome;
     const bool interrupted = output.interrupted();
     if (interrupted || output.is_checkpoint_due(statistics_.steps)) save_checkpoint(output);
     if (interrupted) return {Stop::interrupted};
@@ -37,20 +34,17 @@ Outcome Simulation::run(RunOutput& output) {
   return *breakdown;
 }
 
-/// If the flow model imposes the time step, all steps have equal length, and the last one ends after the end
-/// of the run. Otherwise a step ends at until.kt, also if the run then goes on.
+/// Steps do not depend on the end of the run: the last one passes it.
 std::optional<Outcome> Simulation::step() {
   const VelocityField field = [this](double at, const Points& x, Points& u) { return solve_flow(at, x, u); };
-  const Until& until = case_.until;
-  double end = now_.kt < until.kt ? until.kt : until.last();
-  if (flow_->imposed_time_step()) end = std::numeric_limits<double>::infinity();
   before_ = now_;
   const StepReport step =
-      stepper_->advance(field, before_.kt, end, before_.velocities, now_.positions);  // eqs. 37, 38
+      stepper_->advance(field, before_.kt, before_.velocities, now_.positions);  // eqs. 37, 38
   now_.kt = step.kt;
   if (auto outcome = failure(step.flow)) return outcome;
   if (auto outcome = refusal(step)) return outcome;
   count(step.flow);
+  count_drift();
   ++statistics_.steps;
   return solve_flow_now();
 }
@@ -86,13 +80,13 @@ Simulation::Simulation(const Case& c)
       membrane_(c, sphere_.mesh, reference_, orbits_),
       flow_(make_flow(c, sphere_.mesh, reference_, orbits_)),
       stepper_(make_stepper(c, flow_->imposed_time_step())),
-      record_times_(c.outputs.history_every, c.until.last()),
+      record_times_(c.outputs.history_every),
       tracker_(reference_, faces()),
       initial_volume_(volume(reference_, faces())),
       initial_area_(area(reference_, faces())) {
   now_.velocities = now_.forces = Points::Zero(3, now_.positions.cols());
   solved_ = {0, Points::Zero(3, now_.positions.cols()), now_.velocities, now_.forces};
-  if (c.outputs.shapes_every > 0) shape_times_.emplace(c.outputs.shapes_every, c.until.last());
+  if (c.outputs.shapes_every > 0) shape_times_.emplace(c.outputs.shapes_every);
 }
 
 std::optional<Outcome> Simulation::failure(const FlowReport& flow) const {
@@ -127,6 +121,15 @@ Outcome Simulation::stopped(Stop stop, const std::string& what) const {
   return {stop, text.str()};
 }
 
+/// Adds the present state to the statistics.
+void Simulation::count_drift() {
+  const auto drift = [](double now, double initial) { return std::abs(now / initial - 1); };
+  statistics_.volume_drift =
+      std::max(statistics_.volume_drift, drift(volume(now_.positions, faces()), initial_volume_));
+  statistics_.area_drift =
+      std::max(statistics_.area_drift, drift(area(now_.positions, faces()), initial_area_));
+}
+
 /// Adds a flow solution to the statistics. Its error is at least the rounding error of the flow model.
 void Simulation::count(const FlowReport& flow) {
   const double error = std::max(flow.error, flow_rounding(case_));
@@ -147,24 +150,45 @@ void Simulation::write_breakdown(RunOutput& output) {
   write_shape(now_, output);
 }
 
-bool Simulation::has_shape_at(double kt) const { return shape_times_ && (*shape_times_)[frames_ - 1] >= kt; }
+constexpr double kRounding = 1e-12;  // relative error of a multiple of an interval
+
+bool Simulation::has_record_at(double kt) const { return history_.back()["kt"] >= kt * (1 - kRounding); }
+
+bool Simulation::has_shape_at(double kt) const {
+  return shape_times_ && (*shape_times_)[frames_ - 1] >= kt * (1 - kRounding);
+}
 
 void Simulation::write_shape(const MembraneState& state, RunOutput& output) {
   output.shape(state.kt, frames_++, state.positions, state.velocities, state.forces);
 }
 
-/// Writes the records and shapes whose times were passed by the last step, and adds a sample of the motion.
-void Simulation::write_due_output(RunOutput& output) {
-  for (long n = long(history_.size()); n <= record_times_.last() && is_reached(record_times_[n]); ++n)
-    record(state_at(record_times_[n]), output);  // eqs. 5, 44
-  while (shape_times_ && frames_ <= shape_times_->last() && is_reached((*shape_times_)[frames_]))
-    write_shape(state_at((*shape_times_)[frames_]), output);
+/// Writes the output of the last step, and decides whether it was the last one of the run.
+std::optional<Outcome> Simulation::observe(RunOutput& output) {
+  const Until& until = case_.until;
+  write_output_to(passes(until.kt) ? until.kt : until.last(), output);
   sample_motion();
+  if (auto outcome = finished(output)) return outcome;
+  write_output_to(until.last(), output);
+  return std::nullopt;
+}
+
+/// Writes the records and shapes whose times were passed by the last step, if they are not after `end`.
+void Simulation::write_output_to(double end, RunOutput& output) {
+  const auto is_due = [&](double kt) { return kt <= end && is_reached(kt); };
+  for (long n = long(history_.size()); is_due(record_times_[n]); ++n)
+    record(state_at(record_times_[n]), output);  // eqs. 5, 44
+  while (shape_times_ && is_due((*shape_times_)[frames_]))
+    write_shape(state_at((*shape_times_)[frames_]), output);
 }
 
 constexpr double kSameTime = 1e-6;  // of a step: times that differ by less are equal
 
 bool Simulation::is_reached(double kt) const { return kt <= now_.kt + kSameTime * (now_.kt - before_.kt); }
+
+/// Whether the last step passed this time.
+bool Simulation::passes(double kt) const {
+  return is_reached(kt) && kt > before_.kt + kSameTime * (now_.kt - before_.kt);
+}
 
 MembraneState Simulation::state_at(double kt) const {
   if (kt < now_.kt - kSameTime * (now_.kt - before_.kt)) return between(before_, now_, kt);
@@ -187,14 +211,8 @@ void Simulation::record(const MembraneState& state, RunOutput& output) {
 }
 
 void Simulation::sample_motion() {
-  const bool is_due = samples_.empty() || is_reached(samples_.back().kt + kSampleInterval);
-  if (!is_due && !passes(case_.until.kt) && !passes(case_.until.last())) return;
+  if (!samples_.empty() && !is_reached(samples_.back().kt + kSampleInterval)) return;
   samples_.push_back(tracker_.observe(now_.kt, now_.positions));
-  const auto drift = [](double now, double initial) { return std::abs(now / initial - 1); };
-  statistics_.volume_drift =
-      std::max(statistics_.volume_drift, drift(volume(now_.positions, faces()), initial_volume_));
-  statistics_.area_drift =
-      std::max(statistics_.area_drift, drift(area(now_.positions, faces()), initial_area_));
   if (surface_.is_due(now_.kt)) surface_.add(now_.kt, surface_quality(sphere_.mesh, now_.positions));
 }
 
@@ -205,7 +223,7 @@ Verdict Simulation::verdict() const { return limited_by_surface(classify(samples
 /// classification is proportional to the length of the run.
 std::optional<Outcome> Simulation::finished(RunOutput& output) {
   const Until& until = case_.until;
-  if (now_.kt >= until.last()) return ended(Stop::reached_end, until.last(), output);
+  if (is_reached(until.last())) return ended(Stop::reached_end, until.last(), output);
   if (!until.classified) return std::nullopt;
   const auto hundredths = [](double kt) { return std::floor(std::log(kt) / 0.01); };
   const bool at_kt = passes(until.kt);
@@ -218,9 +236,11 @@ std::optional<Outcome> Simulation::finished(RunOutput& output) {
   return std::nullopt;
 }
 
-/// Writes a record and a shape of the end, if their times do not include it.
+/// Writes the state from which a run with a later end can go on. Then adds a record and a shape of the end,
+/// if their times do not include it: they are not part of a longer run.
 Outcome Simulation::ended(Stop stop, double kt, RunOutput& output) {
-  if (history_.back()["kt"] < kt) record(state_at(kt), output);
+  save_checkpoint(output);
+  if (!has_record_at(kt)) record(state_at(kt), output);
   if (shape_times_ && !has_shape_at(kt)) write_shape(state_at(kt), output);
   return {stop};
 }

@@ -33,8 +33,8 @@ struct RunStatistics {
   long steps = 0;  ///< of the membrane
   long flow_iterations = 0;
   double worst_flow_error = 0;  ///< largest estimated relative error of the flow at the ends of the steps
-  double volume_drift = 0;      ///< largest |V/V(0) - 1| of the samples
-  double area_drift = 0;        ///< largest |A/A(0) - 1| of the samples
+  double volume_drift = 0;      ///< largest |V/V(0) - 1| at the ends of the steps
+  double area_drift = 0;        ///< largest |A/A(0) - 1| at the ends of the steps
 };
 
 class Simulation {
@@ -42,12 +42,13 @@ class Simulation {
   explicit Simulation(const Case& c);
 
   /// Runs the paper's algorithm until the case ends or `output` requests an interruption. The time steps do
-  /// not depend on the times of records and shapes: a state between two steps is interpolated. A run that
-  /// breaks down writes its last valid state and the invalid one.
+  /// not depend on the end of the run or the times of records and shapes: a state between two steps is
+  /// interpolated. A run that ends writes a checkpoint, from which a case with a later end can go on. A run
+  /// that breaks down writes its last valid state and the invalid one.
   Outcome run(RunOutput& output);
 
-  /// Restores the state of a checkpoint that run() wrote. The continued run equals the uninterrupted one to
-  /// the last bit.
+  /// Restores the state of a checkpoint that run() wrote, for this case or for one with equal steps that can
+  /// be prolonged to it (equal_steps.hpp). The continued run equals the uninterrupted one to the last bit.
   void load(const StateArchive& archive);
 
   const Faces& faces() const { return sphere_.mesh.faces; }
@@ -71,13 +72,16 @@ class Simulation {
   Outcome stopped(Stop stop, const std::string& what) const;
   std::optional<Outcome> finished(RunOutput& output);
   Outcome ended(Stop stop, double kt, RunOutput& output);
-  bool passes(double kt) const { return before_.kt < kt && now_.kt >= kt; }
+  bool passes(double kt) const;
   void count(const FlowReport& flow);
-  void write_due_output(RunOutput& output);
+  void count_drift();
+  std::optional<Outcome> observe(RunOutput& output);
+  void write_output_to(double end, RunOutput& output);
   bool is_reached(double kt) const;
   MembraneState state_at(double kt) const;
   void record(const MembraneState& state, RunOutput& output);
   void write_shape(const MembraneState& state, RunOutput& output);
+  bool has_record_at(double kt) const;
   bool has_shape_at(double kt) const;
   void write_breakdown(RunOutput& output);
   void sample_motion();

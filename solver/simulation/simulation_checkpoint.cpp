@@ -10,6 +10,9 @@ void Simulation::save_checkpoint(RunOutput& output) const {
   archive.put("kt", now_.kt);
   put_points(archive, "positions", now_.positions);
   put_points(archive, "velocities", now_.velocities);
+  archive.put("before/kt", before_.kt);
+  put_points(archive, "before/positions", before_.positions);
+  put_points(archive, "before/velocities", before_.velocities);
   stepper_->save(archive);
   flow_->save(archive);
   tracker_.save(archive);
@@ -28,7 +31,12 @@ void Simulation::save_checkpoint(RunOutput& output) const {
 
 void Simulation::load(const StateArchive& archive) {
   now_ = {archive.number("kt"), get_points(archive, "positions"), get_points(archive, "velocities"), {}};
+  before_ = {archive.number("before/kt"),
+             get_points(archive, "before/positions"),
+             get_points(archive, "before/velocities"),
+             {}};
   membrane_.forces(now_.positions, now_.forces);
+  membrane_.forces(before_.positions, before_.forces);
   solved_ = now_;
   stepper_->load(archive);
   flow_->load(archive);

@@ -22,9 +22,9 @@ class TimeStepper {
  public:
   virtual ~TimeStepper() = default;
 
-  /// Moves the membrane by one step from kt, not beyond kt_end.
+  /// Moves the membrane by one step from kt. The step does not depend on the end of the run.
   /// \param velocities 3 x #V, of the membrane at the start   \param positions 3 x #V, in and out
-  virtual StepReport advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
+  virtual StepReport advance(const VelocityField& field, double kt, const Points& velocities,
                              Points& positions) = 0;
 
   /// All state that the next call of advance() depends on.
@@ -32,13 +32,13 @@ class TimeStepper {
   virtual void load(const StateArchive& archive) = 0;
 };
 
-/// Second-order Adams-Bashforth (paper eq. 38); the first step is Euler's. All steps have length kdt except
-/// the last one, which ends at kt_end. A step uses only the flow at its start.
+/// Second-order Adams-Bashforth (paper eq. 38); the first step is Euler's. All steps have length kdt. A step
+/// uses only the flow at its start.
 class AdamsBashforth2 : public TimeStepper {
  public:
   explicit AdamsBashforth2(double kdt) : kdt_(kdt) {}
 
-  StepReport advance(const VelocityField& field, double kt, double kt_end, const Points& velocities,
+  StepReport advance(const VelocityField& field, double kt, const Points& velocities,
                      Points& positions) override;
   void save(StateArchive& archive) const override;
   void load(const StateArchive& archive) override;

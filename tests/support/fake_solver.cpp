@@ -95,7 +95,8 @@ int complete(const RunDirectory& directory, double until, double Ca) {
 
 bool is_coarse(const ordered_json& input) { return input["fidelity"]["nodes"] <= 642; }
 
-int solve(const std::filesystem::path& case_file, const std::filesystem::path& out, double) {
+int solve(const std::filesystem::path& case_file, const std::filesystem::path& out, double,
+          const std::filesystem::path&) {
   const RunDirectory directory(out);
   const ordered_json input = ordered_json::parse(std::ifstream(case_file));
   const double V = input["V"];

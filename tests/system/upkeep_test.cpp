@@ -9,6 +9,8 @@
 
 #include "runner/store/database.hpp"
 #include "solver/case/content_id.hpp"
+#include "solver/case/equal_steps.hpp"
+#include "solver/case/parse.hpp"
 #include "solver/run_directory/checkpoint_header.hpp"
 #include "tests/support/campaign.hpp"
 #include "tests/support/file_bytes.hpp"
@@ -145,12 +147,14 @@ class InterruptedRun : public UpkeepTest {
     wait_for_cases(client, id, "running", 1);
     case_id_ = client.get("/v1/studies/" + id + "/cases")["cases"][0]["id"];
     EXPECT_EQ(daemon.end_with(SIGTERM), 0);
+    steps_id_ = steps_id(parse_case(nlohmann::json::parse(file_bytes(run() / "case.json"))).value.value());
     write_checkpoint(a_, 1);
     write_checkpoint(b_, 2);
   }
   void write_checkpoint(const char* name, std::uint64_t sequence) {
     overwrite(run() / name, std::string(kCheckpointHeaderSize, '\0') + "the state");
-    seal_checkpoint(run() / name, {.numerics = kNumericsVersion, .case_id = case_id_, .sequence = sequence});
+    seal_checkpoint(run() / name,
+                    {.numerics = kNumericsVersion, .steps_id = steps_id_, .sequence = sequence});
   }
   void flip_last_byte(const char* name) {
     std::string bytes = file_bytes(run() / name);
@@ -158,6 +162,7 @@ class InterruptedRun : public UpkeepTest {
     overwrite(run() / name, bytes);
   }
 
+  std::string steps_id_;
   const char* const a_ = "checkpoint-a.h5";
   const char* const b_ = "checkpoint-b.h5";
 };

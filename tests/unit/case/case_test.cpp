@@ -6,6 +6,7 @@
 #include <set>
 
 #include "solver/case/content_id.hpp"
+#include "solver/case/equal_steps.hpp"
 #include "solver/case/parse.hpp"
 
 namespace capstan {
@@ -375,6 +376,30 @@ TEST(CaseId, IsChangedByEveryParameter) {
   EXPECT_TRUE(ids.insert(case_id(valid(neo_hookean))).second);
   const json oblate = {{"Ca", 0.1}, {"shape", "oblate"}, {"aspect", 0.5}};
   EXPECT_NE(case_id(valid(oblate)), case_id(valid(with(oblate, "/aspect", 0.6))));
+}
+
+TEST(StepsId, IsSharedByCasesThatDifferInTheEndOfTheRunOnly) {
+  const std::string id = steps_id(valid(kRedBloodCell));
+  const std::pair<const char*, json> ends[] = {{"/until", {{"classified", true}, {"kt", 7}, {"at_most", 50}}},
+                                               {"/companion", false},
+                                               {"/outputs/checkpoint_every", 7}};
+  for (const auto& [pointer, value] : ends)
+    EXPECT_EQ(steps_id(valid(with(kRedBloodCell, pointer, value))), id) << pointer;
+  const std::pair<const char*, json> others[] = {
+      {"/Ca", 0.41}, {"/fidelity/nodes", 642}, {"/outputs/history_every", 0.2}, {"/outputs/shapes_every", 2}};
+  for (const auto& [pointer, value] : others)
+    EXPECT_NE(steps_id(valid(with(kRedBloodCell, pointer, value))), id) << pointer;
+}
+
+TEST(Until, PassesEarlierEndsUnlessALabelMightHaveEndedItBefore) {
+  const Until plain{.kt = 20}, classified{.kt = 20, .classified = true, .at_most = 60};
+  EXPECT_TRUE(passes_end_of({.kt = 10}, 10, plain));
+  EXPECT_FALSE(passes_end_of({.kt = 30}, 30, plain));
+  EXPECT_FALSE(passes_end_of({.kt = 10}, 10, classified));
+  EXPECT_TRUE(passes_end_of({.kt = 10, .classified = true, .at_most = 30}, 14, classified));
+  EXPECT_TRUE(passes_end_of({.kt = 50, .classified = true, .at_most = 150}, 7, classified));
+  EXPECT_TRUE(passes_end_of({.kt = 50, .classified = true, .at_most = 150}, 7, plain));
+  EXPECT_FALSE(passes_end_of({.kt = 10, .classified = true, .at_most = 30}, 30, classified));
 }
 
 TEST(CaseId, IsSixteenHexadecimalDigits) {

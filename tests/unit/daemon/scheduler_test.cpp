@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "tests/support/file_bytes.hpp"
 #include "tests/support/service_fixture.hpp"
 
 namespace capstan {
@@ -28,6 +29,43 @@ TEST_F(ServiceTest, RunDirectoryHoldsTheCanonicalCase) {
   ASSERT_TRUE(parsed.value);
   EXPECT_EQ(parsed.value->Ca, 0.25);
   EXPECT_EQ(to_json(*parsed.value), written);
+}
+
+/// The study ends at kt = 30; the same cases with another end.
+Study until(const nlohmann::json& end) {
+  nlohmann::json document = study_document("prolonged", {{"Ca", {0.25}}});
+  document["base"]["until"] = end;
+  return parse_study(document).value.value();
+}
+
+TEST_F(ServiceTest, CaseGoesOnFromTheEndOfADoneOneWithEqualSteps) {
+  submit({{"Ca", {0.25}}});
+  overwrite(directory_of("run 1").checkpoint_paths()[1], "the state at kt = 30");
+  std::filesystem::create_directories(directory_of("run 1").shapes_directory());
+  overwrite(directory_of("run 1").frame_file(0), "a shape");
+  std::filesystem::create_directories(directory_of("run 1").rung(42).path());
+  overwrite(directory_of("run 1").rung(42).checkpoint_paths()[1], "that of the companion");
+  write_history("run 1", "{\"kt\":30}\n");
+  complete("run 1", "undecided");
+  service_->tick();
+  service_->submit(until({{"kt", 60}}));
+  service_->tick();
+  EXPECT_EQ(file_bytes(directory_of("run 2").checkpoint_paths()[1]), "the state at kt = 30");
+  EXPECT_EQ(file_bytes(directory_of("run 2").frame_file(0)), "a shape");
+  EXPECT_EQ(file_bytes(directory_of("run 2").rung(42).checkpoint_paths()[1]), "that of the companion");
+}
+
+TEST_F(ServiceTest, CaseThatMightHaveEndedBeforeADoneOneStartsAnew) {
+  submit({{"Ca", {0.25}}});
+  overwrite(directory_of("run 1").checkpoint_paths()[1], "the state at kt = 30");
+  write_history("run 1", "{\"kt\":30}\n");
+  complete("run 1", "undecided");
+  service_->tick();
+  service_->submit(until({{"kt", 20}}));
+  service_->submit(until({{"kt", 40}, {"classified", true}}));
+  service_->tick();
+  for (const char* run : {"run 2", "run 3"})
+    EXPECT_FALSE(std::filesystem::exists(directory_of(run).checkpoint_paths()[1])) << run;
 }
 
 TEST_F(ServiceTest, FailedCaseDoesNotStopTheOthersAndSaysWhy) {

@@ -22,7 +22,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::string kCaseId = "0123456789abcdef";
+const std::string kStepsId = "0123456789abcdef";
 
 StateArchive state_at(double kt) {
   StateArchive state;
@@ -33,11 +33,11 @@ StateArchive state_at(double kt) {
 
 class Checkpoint : public ::testing::Test {
  protected:
-  void write(double kt) { write_checkpoint(directory_.path(), state_at(kt), kCaseId); }
+  void write(double kt) { write_checkpoint(directory_.path(), state_at(kt), kStepsId); }
 
-  std::optional<StateArchive> read(const std::string& case_id = kCaseId) {
+  std::optional<StateArchive> read(const std::string& steps_id = kStepsId) {
     reasons_.clear();
-    return read_newest_checkpoint(directory_.path(), case_id,
+    return read_newest_checkpoint(directory_.path(), steps_id,
                                   [this](const std::string& reason) { reasons_.push_back(reason); });
   }
 
@@ -70,7 +70,7 @@ TEST_F(Checkpoint, IsReadBackToTheLastBit) {
   state.put_view("fluid/level 0/populations", odd);
   state.put("fluid/empty", std::vector<double>{});
   state.put("kt", 0.3);
-  write_checkpoint(directory_.path(), state, kCaseId);
+  write_checkpoint(directory_.path(), state, kStepsId);
 
   const auto back = read();
   ASSERT_TRUE(back);
@@ -166,7 +166,7 @@ TEST_F(Checkpoint, ThatDoesNotFitTheDiskThrowsAndLeavesTheOldOnes) {
   large.put("populations", std::vector<double>(1000));
   for (rlim_t limit : {0, 100, 600, 2048, 4096, 8000}) {
     FileSizeLimit full_disk(limit);
-    EXPECT_THROW(write_checkpoint(directory_.path(), large, kCaseId), std::runtime_error) << limit;
+    EXPECT_THROW(write_checkpoint(directory_.path(), large, kStepsId), std::runtime_error) << limit;
   }
   EXPECT_EQ(newest_kt(), 2);
   EXPECT_FALSE(fs::exists(directory_.path() / "checkpoint-a.h5.partial"));
@@ -177,7 +177,7 @@ TEST_F(Checkpoint, ThatDoesNotFitTheDiskThrowsAndLeavesTheOldOnes) {
 TEST_F(Checkpoint, OfAnotherCaseIsPassedOverAndReplacedFirst) {
   write(1);
   EXPECT_FALSE(read("another"));
-  EXPECT_THAT(reasons_, ElementsAre(HasSubstr("belongs to case " + kCaseId)));
+  EXPECT_THAT(reasons_, ElementsAre(HasSubstr("belongs to a case with other steps, " + kStepsId)));
   write_checkpoint(directory_.path(), state_at(7), "another");
   write_checkpoint(directory_.path(), state_at(8), "another");
   EXPECT_FALSE(read());
@@ -186,17 +186,17 @@ TEST_F(Checkpoint, OfAnotherCaseIsPassedOverAndReplacedFirst) {
 
 TEST_F(Checkpoint, OfAnotherNumericsVersionOrFormatIsPassedOver) {
   write(1);
-  seal_checkpoint(a_, {.numerics = kNumericsVersion + 1, .case_id = kCaseId, .sequence = 1});
+  seal_checkpoint(a_, {.numerics = kNumericsVersion + 1, .steps_id = kStepsId, .sequence = 1});
   EXPECT_FALSE(read());
   EXPECT_THAT(reasons_, ElementsAre(HasSubstr("is of numerics version")));
-  seal_checkpoint(a_, {.format = 99, .numerics = kNumericsVersion, .case_id = kCaseId, .sequence = 1});
+  seal_checkpoint(a_, {.format = 99, .numerics = kNumericsVersion, .steps_id = kStepsId, .sequence = 1});
   EXPECT_FALSE(read());
   EXPECT_THAT(reasons_, ElementsAre(HasSubstr("has format 99")));
 }
 
 TEST_F(Checkpoint, IntoAMissingDirectoryNamesTheFileAndTheReason) {
   try {
-    write_checkpoint(directory_.path() / "absent", state_at(1), kCaseId);
+    write_checkpoint(directory_.path() / "absent", state_at(1), kStepsId);
     FAIL() << "nothing was thrown";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("cannot create"));

@@ -42,7 +42,8 @@ TEST(RunDirectoryNames, NumberFramesWithAtLeastFourDigits) {
 
 TEST(RunDirectoryNames, TellShapesAndCheckpointsFromOtherFiles) {
   const RunDirectory directory("run");
-  for (const fs::path& shape : {directory.shape_index_file(), directory.mesh_file(), directory.frame_file(3)})
+  for (const fs::path& shape : {directory.shape_index_file(), directory.mesh_file(), directory.frame_file(3),
+                                directory.rung(42).frame_file(3)})
     EXPECT_TRUE(directory.is_shape(shape) && !directory.is_checkpoint(shape)) << shape;
   for (const fs::path& checkpoint : directory.checkpoint_paths())
     EXPECT_TRUE(directory.is_checkpoint(checkpoint) && !directory.is_shape(checkpoint)) << checkpoint;

@@ -124,6 +124,82 @@ TEST(Resume, ALaterEndHasTheSameHistory) {
   EXPECT_EQ(resumed.history(), uninterrupted.history());
 }
 
+struct Prolonged {
+  const char* name;
+  const char* text;  ///< a case, without its end and outputs
+};
+
+class ProlongedRun : public ::testing::TestWithParam<Prolonged> {
+ protected:
+  static Case case_to(double kt) {
+    Case c = parsed_case(std::string(R"({"Ca": 0.1, "V": 2, )") + GetParam().text + "}");
+    c.until.kt = kt;
+    c.outputs = {.history_every = 0.03, .shapes_every = 0.05};
+    return c;
+  }
+};
+
+/// The first end is no multiple of the intervals of records and shapes.
+TEST_P(ProlongedRun, EqualsTheLongerRunToTheLastBit) {
+  for (double end : {0.11, 0.12, 0.2}) {
+    MemoryOutput first, rest, whole;
+    Simulation shorter(case_to(end)), prolonged(case_to(0.2)), longer(case_to(0.2));
+    EXPECT_EQ(shorter.run(first).stop, Stop::reached_end);
+    EXPECT_EQ(longer.run(whole).stop, Stop::reached_end);
+    ASSERT_EQ(first.checkpoints.size(), 1u);
+    prolonged.load(first.checkpoints.front());
+    EXPECT_EQ(prolonged.run(rest).stop, Stop::reached_end);
+    EXPECT_EQ(prolonged.history(), longer.history());
+    EXPECT_EQ(prolonged.samples(), longer.samples());
+    EXPECT_EQ(prolonged.surface().worst(), longer.surface().worst());
+    EXPECT_TRUE(std::equal(rest.shapes.rbegin(), rest.shapes.rend(), whole.shapes.rbegin()));
+    expect_equal(prolonged.statistics(), longer.statistics());
+  }
+}
+
+TEST_P(ProlongedRun, BeginsWithTheHistoryOfTheShorterRun) {
+  MemoryOutput first, whole;
+  Simulation(case_to(0.12)).run(first);
+  Simulation(case_to(0.2)).run(whole);
+  ASSERT_EQ(first.records.size(), 5u);
+  EXPECT_TRUE(std::equal(first.records.begin(), first.records.end(), whole.records.begin()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Models, ProlongedRun,
+    ::testing::Values(
+        Prolonged{"StokesRkc2", R"("fluid": "stokes", "fidelity": {"nodes": 162})"},
+        Prolonged{"StokesAb2",
+                  R"("fluid": "stokes", "fidelity": {"nodes": 162, "stepper": "ab2", "kdt": 0.02})"},
+        Prolonged{"LatticeAb2",
+                  R"("fluid": "quasisteady", "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.03})"},
+        Prolonged{"LatticeRkc2",
+                  R"("fluid": "quasisteady", "fidelity": {"dx": 0.4, "nodes": 162, "stepper": "rkc2"})"},
+        Prolonged{"Unsteady",
+                  R"("fluid": "unsteady", "Re": 1, "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.03})"},
+        Prolonged{"Transient", R"("fluid": "transient", "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162})"},
+        Prolonged{"Paper", R"("fluid": "quasisteady",
+                         "fidelity": {"preset": "paper", "dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.04})"}),
+    [](const auto& model) { return std::string(model.param.name); });
+
+TEST(ProlongedRun, OfACaseThatEndedWithItsLabelEqualsTheLongerRun) {
+  const auto case_to = [](double kt, bool classified) {
+    Case c = parsed_case(R"({"Ca": 0.05, "fluid": "stokes", "until": {"kt": 30, "classified": true},
+      "fidelity": {"nodes": 162}})");
+    c.until = {.kt = kt, .classified = classified, .at_most = classified ? 3 * kt : 0};
+    return c;
+  };
+  MemoryOutput first, rest, whole;
+  Simulation shorter(case_to(30, true)), prolonged(case_to(12, false)), longer(case_to(12, false));
+  EXPECT_EQ(shorter.run(first).stop, Stop::steady);
+  ASSERT_LT(shorter.history().back()["kt"], 12);
+  prolonged.load(first.checkpoints.front());
+  prolonged.run(rest);
+  longer.run(whole);
+  EXPECT_EQ(prolonged.history(), longer.history());
+  EXPECT_EQ(prolonged.verdict().evidence.margin, longer.verdict().evidence.margin);
+}
+
 TEST(Resume, AnInterruptionWritesACheckpointOfItsStep) {
   const Case c = parsed_case(R"({"Ca": 0.1, "until": {"kt": 0.4}, "outputs": {"checkpoint_every": 100},
     "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.08}})");

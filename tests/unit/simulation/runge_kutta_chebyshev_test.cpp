@@ -17,26 +17,24 @@ VelocityField circle_and_decay(double rate) {
   };
 }
 
-Points run(RungeKuttaChebyshev stepper, const VelocityField& field, double end) {
+/// Distance from the exact solution after the step that reaches the end.
+double error_of_run(RungeKuttaChebyshev stepper, const VelocityField& field, double end) {
   Points x(3, 1), u(3, 1);
   x << 0, 1, 1;
-  for (double kt = 0; kt < end;) {
+  double kt = 0;
+  while (kt < end) {
     field(kt, x, u);
-    const StepReport step = stepper.advance(field, kt, end, u, x);
+    const StepReport step = stepper.advance(field, kt, u, x);
     EXPECT_TRUE(step.flow.converged);
     EXPECT_GT(step.kt, kt);
     kt = step.kt;
   }
-  return x;
+  return (x.col(0) - Vec3(std::sin(kt), std::cos(kt), std::cos(kt))).norm();
 }
-
-Vec3 exact(double kt) { return {std::sin(kt), std::cos(kt), std::cos(kt)}; }
 
 TEST(RungeKuttaChebyshev, IsOfSecondOrder) {
   const auto error = [](double step) {
-    return (run(RungeKuttaChebyshev({.tolerance = 1, .largest_step = step}), circle_and_decay(1), 1).col(0) -
-            exact(1))
-        .norm();
+    return error_of_run(RungeKuttaChebyshev({.tolerance = 1, .largest_step = step}), circle_and_decay(1), 1);
   };
   // it starts with a tenth of the largest step, so that the error of a step is not known beforehand
   EXPECT_NEAR(std::log2(error(0.05) / error(0.025)), 2, 0.35);
@@ -44,16 +42,16 @@ TEST(RungeKuttaChebyshev, IsOfSecondOrder) {
 }
 
 TEST(RungeKuttaChebyshev, ToleranceBoundsTheErrorOfAStiffProblem) {
-  for (double tolerance : {1e-3, 1e-4, 1e-5}) {
-    const Points x = run(RungeKuttaChebyshev({.tolerance = tolerance}), circle_and_decay(1000), 2);
-    EXPECT_LT((x.col(0) - exact(2)).norm(), 40 * tolerance) << tolerance;
-  }
+  for (double tolerance : {1e-3, 1e-4, 1e-5})
+    EXPECT_LT(error_of_run(RungeKuttaChebyshev({.tolerance = tolerance}), circle_and_decay(1000), 2),
+              40 * tolerance)
+        << tolerance;
 }
 
 TEST(RungeKuttaChebyshev, NeedsFlowSolutionsInProportionToTheRootOfTheStiffness) {
   const auto flows = [](double rate) {
     int calls = 0;
-    run(
+    error_of_run(
         RungeKuttaChebyshev(),
         [&](double, const Points& x, Points& u) -> FlowReport {
           ++calls;
@@ -75,7 +73,7 @@ TEST(RungeKuttaChebyshev, TakesLongerStepsWhereTheMembraneIsSoft) {
     double longest = 0;
     for (double kt = 0; kt < 2;) {
       field(kt, x, u);
-      const double before = std::exchange(kt, stepper.advance(field, kt, 2, u, x).kt);
+      const double before = std::exchange(kt, stepper.advance(field, kt, u, x).kt);
       longest = std::max(longest, kt - before);
     }
     return longest;
@@ -90,7 +88,7 @@ TEST(RungeKuttaChebyshev, EstimatesTheFastestDecayRate) {
   Points x(3, 1), u(3, 1);
   x << 0, 1, 1.01;
   field(0, x, u);
-  stepper.advance(field, 0, 0.1, u, x);
+  stepper.advance(field, 0, u, x);
   EXPECT_NEAR(stepper.spectral_radius(), 1.2 * 300, 0.1 * 300);
 }
 
@@ -100,16 +98,15 @@ TEST(RungeKuttaChebyshev, AFailedFlowSolutionIsRepeatedWithASmallerStep) {
   const VelocityField field = [&](double kt, const Points& x, Points& u) {
     return kt > 0 && lost < 3 ? (++lost, lost_flow("for a while")) : well(kt, x, u);
   };
-  const Points x = run(RungeKuttaChebyshev(), field, 0.1);
+  EXPECT_LT(error_of_run(RungeKuttaChebyshev(), field, 0.1), 1e-3);
   EXPECT_EQ(lost, 3);
-  EXPECT_LT((x.col(0) - exact(0.1)).norm(), 1e-3);
 }
 
 TEST(RungeKuttaChebyshev, AFlowThatAlwaysFailsStopsTheRunWithItsReason) {
   const VelocityField lost = [](double, const Points&, Points&) { return lost_flow("no flow at all"); };
   RungeKuttaChebyshev stepper;
   Points x = Points::Zero(3, 1);
-  const FlowReport report = stepper.advance(lost, 0, 0.1, Points::Ones(3, 1), x).flow;
+  const FlowReport report = stepper.advance(lost, 0, Points::Ones(3, 1), x).flow;
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.reason, "no flow at all");
 }
@@ -124,7 +121,7 @@ TEST(RungeKuttaChebyshev, StopsIfTheMembraneBecomesFarStifferThanAtItsStart) {
   StepReport step{.kt = 0, .flow = {}};
   while (step.flow.converged && step.kt < 1) {
     field(step.kt, x, u);
-    step = stepper.advance(field, step.kt, 1, u, x);
+    step = stepper.advance(field, step.kt, u, x);
   }
   EXPECT_NEAR(step.kt, 0.62, 0.1);  // where the rate is 1e6
   EXPECT_EQ(step.flow.reason, "the membrane has become thousands of times as stiff as it was");

@@ -22,16 +22,17 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 class SolveCase : public ::testing::Test {
  protected:
   /// A sphere by boundary integrals, some hundredths of a second.
-  static std::string sphere(double Ca = 0.1) {
-    return R"({"fluid": "stokes", "fidelity": {"nodes": 42}, "until": {"kt": 0.2}, "Ca": )" +
-           std::to_string(Ca) + R"(, "outputs": {"history_every": 0.05, "shapes_every": 0}})";
+  static std::string sphere(double Ca = 0.1, const std::string& until = R"({"kt": 0.2})") {
+    return R"({"fluid": "stokes", "fidelity": {"nodes": 42}, "Ca": )" + std::to_string(Ca) +
+           R"(, "until": )" + until + R"(, "outputs": {"history_every": 0.05, "shapes_every": 0.1}})";
   }
 
   /// The exit code; what was printed is in `printed_`.
-  int solve(const std::string& text, const RunDirectory& directory, double wall_seconds = kNoLimit) {
+  int solve(const std::string& text, const RunDirectory& directory, double wall_seconds = kNoLimit,
+            const std::filesystem::path& shorter = {}) {
     overwrite(root_.path() / "case.json", text);
     ::testing::internal::CaptureStderr();
-    const int code = solve_case(root_.path() / "case.json", directory.path(), wall_seconds);
+    const int code = solve_case(root_.path() / "case.json", directory.path(), wall_seconds, shorter);
     printed_ = ::testing::internal::GetCapturedStderr();
     return code;
   }
@@ -56,10 +57,62 @@ TEST_F(SolveCase, RunAtItsWallTimeIsInterruptedAndResumedToTheSameAnswer) {
   EXPECT_EQ(solve(sphere(), run_, 0), kExitInterrupted);
   EXPECT_FALSE(std::filesystem::exists(run_.result_file()));
   EXPECT_EQ(solve(sphere(), run_), kExitDone);
-  EXPECT_THAT(printed_, HasSubstr("resumed at step 1\n"));
+  EXPECT_THAT(printed_, HasSubstr("resumed at step 1, kt = "));
   EXPECT_EQ(solve(sphere(), other_), kExitDone);
   EXPECT_EQ(file_bytes(run_.history_file()), file_bytes(other_.history_file()));
   EXPECT_EQ(result(run_)["final"], result(other_)["final"]);
+}
+
+TEST_F(SolveCase, LongerRunGoesOnFromAShorterOneAndHasTheSameFiles) {
+  const std::string longer = sphere(0.1, R"({"kt": 0.35})");
+  EXPECT_EQ(solve(sphere(), run_), kExitDone);
+  EXPECT_EQ(solve(longer, other_), kExitDone);
+  const RunDirectory prolonged(root_.path() / "prolonged");
+  EXPECT_EQ(solve(longer, prolonged, kNoLimit, run_.path()), kExitDone) << printed_;
+  EXPECT_THAT(printed_, HasSubstr("resumed at step"));
+  EXPECT_EQ(file_bytes(prolonged.history_file()), file_bytes(other_.history_file()));
+  EXPECT_EQ(file_bytes(prolonged.shape_index_file()), file_bytes(other_.shape_index_file()));
+  EXPECT_TRUE(std::filesystem::exists(prolonged.frame_file(0)));
+  EXPECT_EQ(result(prolonged)["final"], result(other_)["final"]);
+}
+
+TEST_F(SolveCase, CompanionGoesOnFromThatOfTheShorterRun) {
+  const auto with_companion = [](const char* kt) {
+    return std::string(R"({"fluid": "stokes", "fidelity": {"nodes": 162}, "Ca": 0.1, "until": {"kt": )") +
+           kt + R"(}, "outputs": {"shapes_every": 0}})";
+  };
+  EXPECT_EQ(solve(with_companion("0.2"), run_), kExitDone);
+  EXPECT_EQ(solve(with_companion("0.4"), other_, kNoLimit, run_.path()), kExitDone);
+  EXPECT_THAT(printed_, ::testing::ContainsRegex("companion with 42 nodes\nresumed at step"));
+}
+
+TEST_F(SolveCase, ErrorAskedForGoesOnFromAllRungsOfTheShorterRun) {
+  const auto climb = [](const char* kt) {
+    return std::string(R"({"fluid": "stokes", "fidelity": {"error": 0.03}, "Ca": 0.1, "until": {"kt": )") +
+           kt + R"(}, "outputs": {"shapes_every": 0.1}})";
+  };
+  EXPECT_EQ(solve(climb("0.2"), run_), kExitDone);
+  EXPECT_EQ(solve(climb("0.4"), other_, kNoLimit, run_.path()), kExitDone) << printed_;
+  EXPECT_THAT(printed_, HasSubstr("resumed at step"));
+  const RunDirectory direct(root_.path() / "direct");
+  EXPECT_EQ(solve(climb("0.4"), direct), kExitDone);
+  EXPECT_EQ(file_bytes(other_.history_file()), file_bytes(direct.history_file()));
+  EXPECT_EQ(file_bytes(other_.shape_index_file()), file_bytes(direct.shape_index_file()));
+  EXPECT_EQ(result(other_)["error"]["Q"], result(direct)["error"]["Q"]);
+}
+
+TEST_F(SolveCase, RunFromWhichTheCaseCannotGoOnIsRefusedWithTheReason) {
+  EXPECT_EQ(solve(sphere(), run_), kExitDone);
+  const std::tuple<std::string, RunDirectory, std::string> refused[] = {
+      {sphere(0.1, R"({"kt": 0.1})"), run_, "ended at kt = 0.2, which this case does not pass"},
+      {sphere(0.1, R"({"kt": 5, "classified": true})"), run_, "ask for the same until.classified"},
+      {sphere(0.2, R"({"kt": 5})"), run_, "only the keys of until may differ"},
+      {sphere(0.1, R"({"kt": 5})"), RunDirectory(root_.path()), "holds no finished run"}};
+  for (const auto& [text, shorter, reason] : refused) {
+    std::filesystem::remove_all(other_.path());
+    EXPECT_EQ(solve(text, other_, kNoLimit, shorter.path()), kExitInvalidInput);
+    EXPECT_THAT(printed_, HasSubstr(reason));
+  }
 }
 
 TEST_F(SolveCase, FinishedRunIsDoneAgainWithTheSameAnswer) {
