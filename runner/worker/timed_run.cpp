@@ -28,6 +28,7 @@ class TimedOutput : public RunOutput {
   void record(const Record& now) override { history.push_back(now); }
   void shape(double, int, const Points&, const Points&, const Points&) override {}
   void checkpoint(StateArchive) override {}
+  void last_state(StateArchive) override {}
   bool is_checkpoint_due(long) override { return false; }
   /// Called by the simulation after each step.
   bool interrupted() const override {

@@ -23,7 +23,8 @@ StateArchive read_state(const CheckpointFile& checkpoint) {
 
 }  // namespace
 
-void write_checkpoint(const fs::path& directory, const StateArchive& state, const std::string& steps_id) {
+void write_checkpoint(const fs::path& directory, const StateArchive& state, const std::string& steps_id,
+                      Durable durable) {
   const auto [newer, older] = checkpoint_files(RunDirectory(directory), steps_id, kNumericsVersion);
   PendingFile pending(older.path);
   Hdf5Writer file(pending.temporary(), kCheckpointHeaderSize);
@@ -32,7 +33,7 @@ void write_checkpoint(const fs::path& directory, const StateArchive& state, cons
   seal_checkpoint(
       pending.temporary(),
       {.numerics = kNumericsVersion, .steps_id = steps_id, .sequence = newer.header.sequence + 1});
-  pending.publish();
+  durable == Durable::yes ? pending.publish() : pending.replace();
 }
 
 std::optional<StateArchive> read_newest_checkpoint(

@@ -10,11 +10,16 @@
 
 namespace capstan {
 
-/// Replaces the older (or unusable) one of checkpoint-a.h5 and checkpoint-b.h5, durably. Each entry of the
+enum class Durable {
+  yes,  ///< waits for the disk: the file survives a power failure
+  no,
+};
+
+/// Replaces the older (or unusable) one of checkpoint-a.h5 and checkpoint-b.h5. Each entry of the
 /// archive is one array of the HDF5 file, written without a copy in memory. Throws a std::runtime_error
 /// naming operation and file; then both old files are unchanged.
 void write_checkpoint(const std::filesystem::path& directory, const StateArchive& state,
-                      const std::string& steps_id);
+                      const std::string& steps_id, Durable durable = Durable::yes);
 
 /// The newest checkpoint that is undamaged and belongs to a case with these steps, this numerics version and
 /// this format; none if there is no such file. For each file that is not used, `on_passed_over` is called

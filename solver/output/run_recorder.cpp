@@ -87,10 +87,19 @@ void RunRecorder::shape(double kt, int frame, const Points& positions, const Poi
   indices_.done(now, seconds_here());
 }
 
-void RunRecorder::checkpoint(StateArchive state) {
+StateArchive RunRecorder::completed(StateArchive state) const {
   state.put("seconds", seconds());
   put_end(state, case_.until);
-  write_checkpoint(directory_.path(), state, steps_id(case_));
+  return state;
+}
+
+/// Does not wait for the disk: if the file is lost, a longer run starts anew.
+void RunRecorder::last_state(StateArchive state) {
+  write_checkpoint(directory_.path(), completed(std::move(state)), steps_id(case_), Durable::no);
+}
+
+void RunRecorder::checkpoint(StateArchive state) {
+  write_checkpoint(directory_.path(), completed(std::move(state)), steps_id(case_), Durable::yes);
   checkpoints_.done(asked_, seconds_here());
 }
 

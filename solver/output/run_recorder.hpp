@@ -36,6 +36,7 @@ class RunRecorder : public RunOutput {
   void shape(double kt, int frame, const Points& positions, const Points& velocities,
              const Points& forces) override;
   void checkpoint(StateArchive state) override;
+  void last_state(StateArchive state) override;
 
   /// After each outputs.checkpoint_every steps, if that is not 0; and when the time since the last checkpoint
   /// is at least a tenth of the run's time so far (but 0.2 s to 30 s) and at least fifty times the time that
@@ -48,6 +49,7 @@ class RunRecorder : public RunOutput {
 
  private:
   void start_history(const History& history);
+  StateArchive completed(StateArchive state) const;
   double seconds_here() const { return clock_() - started_; }
   double seconds() const { return seconds_before_ + seconds_here(); }
 

@@ -18,6 +18,8 @@ class RunOutput {
                      const Points& forces) = 0;
   /// The state from which the run can be continued. Its views point into the simulation.
   virtual void checkpoint(StateArchive state) = 0;
+  /// The last state of a run that has ended. A longer run goes on from it.
+  virtual void last_state(StateArchive state) = 0;
   /// Called after each step.
   /// \param steps  since the start of the run
   virtual bool is_checkpoint_due(long steps) = 0;

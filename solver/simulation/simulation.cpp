@@ -27,7 +27,7 @@ Outcome Simulation::run(RunOutput& output) {
     if (breakdown) break;
     if (auto outcome = observe(output)) return *outcome;
     const bool interrupted = output.interrupted();
-    if (interrupted || output.is_checkpoint_due(statistics_.steps)) save_checkpoint(output);
+    if (interrupted || output.is_checkpoint_due(statistics_.steps)) output.checkpoint(state());
     if (interrupted) return {Stop::interrupted};
   }
   write_breakdown(output);
@@ -239,7 +239,7 @@ std::optional<Outcome> Simulation::finished(RunOutput& output) {
 /// Writes the state from which a run with a later end can go on. Then adds a record and a shape of the end,
 /// if their times do not include it: they are not part of a longer run.
 Outcome Simulation::ended(Stop stop, double kt, RunOutput& output) {
-  save_checkpoint(output);
+  output.last_state(state());
   if (!has_record_at(kt)) record(state_at(kt), output);
   if (shape_times_ && !has_shape_at(kt)) write_shape(state_at(kt), output);
   return {stop};

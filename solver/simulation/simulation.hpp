@@ -85,7 +85,7 @@ class Simulation {
   bool has_shape_at(double kt) const;
   void write_breakdown(RunOutput& output);
   void sample_motion();
-  void save_checkpoint(RunOutput& output) const;
+  StateArchive state() const;
 
   Case case_;
   Icosphere sphere_;

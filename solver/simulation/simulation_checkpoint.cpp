@@ -5,7 +5,7 @@
 
 namespace capstan {
 
-void Simulation::save_checkpoint(RunOutput& output) const {
+StateArchive Simulation::state() const {
   StateArchive archive;
   archive.put("kt", now_.kt);
   put_points(archive, "positions", now_.positions);
@@ -26,7 +26,7 @@ void Simulation::save_checkpoint(RunOutput& output) const {
   archive.put("last_flow_error", last_flow_error_);
   archive.put("refusals", refusals_);
   archive.put("recent_refusals", recent_refusals_);
-  output.checkpoint(std::move(archive));
+  return archive;
 }
 
 void Simulation::load(const StateArchive& archive) {

@@ -15,14 +15,8 @@ class MemoryOutput : public RunOutput {
              const Points& forces) override {
     shapes.push_back({kt, frame, positions, velocities, forces});
   }
-  /// Copies the state: the archive only refers to arrays of the simulation, which change.
-  void checkpoint(StateArchive state) override {
-    StateArchive& copy = checkpoints.emplace_back();
-    for (const std::string& name : state.names()) {
-      const auto data = state.get(name);
-      copy.put(name, std::vector<double>(data.begin(), data.end()));
-    }
-  }
+  void checkpoint(StateArchive state) override { checkpoints.push_back(copy_of(state)); }
+  void last_state(StateArchive state) override { last = copy_of(state); }
   bool is_checkpoint_due(long steps) override {
     return checkpoint_every > 0 && steps % checkpoint_every == 0;
   }
@@ -41,9 +35,20 @@ class MemoryOutput : public RunOutput {
     return times;
   }
 
+  /// The archive itself only refers to arrays of the simulation, which change.
+  static StateArchive copy_of(const StateArchive& state) {
+    StateArchive copy;
+    for (const std::string& name : state.names()) {
+      const auto data = state.get(name);
+      copy.put(name, std::vector<double>(data.begin(), data.end()));
+    }
+    return copy;
+  }
+
   History records;
   std::vector<Shape> shapes;
   std::vector<StateArchive> checkpoints;
+  StateArchive last;  ///< state
   int checkpoint_every = 0;
   bool interruption_wanted = false;
 };

@@ -146,8 +146,7 @@ TEST_P(ProlongedRun, EqualsTheLongerRunToTheLastBit) {
     Simulation shorter(case_to(end)), prolonged(case_to(0.2)), longer(case_to(0.2));
     EXPECT_EQ(shorter.run(first).stop, Stop::reached_end);
     EXPECT_EQ(longer.run(whole).stop, Stop::reached_end);
-    ASSERT_EQ(first.checkpoints.size(), 1u);
-    prolonged.load(first.checkpoints.front());
+    prolonged.load(first.last);
     EXPECT_EQ(prolonged.run(rest).stop, Stop::reached_end);
     EXPECT_EQ(prolonged.history(), longer.history());
     EXPECT_EQ(prolonged.samples(), longer.samples());
@@ -193,7 +192,7 @@ TEST(ProlongedRun, OfACaseThatEndedWithItsLabelEqualsTheLongerRun) {
   Simulation shorter(case_to(30, true)), prolonged(case_to(12, false)), longer(case_to(12, false));
   EXPECT_EQ(shorter.run(first).stop, Stop::steady);
   ASSERT_LT(shorter.history().back()["kt"], 12);
-  prolonged.load(first.checkpoints.front());
+  prolonged.load(first.last);
   prolonged.run(rest);
   longer.run(whole);
   EXPECT_EQ(prolonged.history(), longer.history());
