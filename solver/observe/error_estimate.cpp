@@ -63,7 +63,7 @@ ErrorEstimate estimated_error(const EstimatedRun& run, const Distance& to_compan
   return {.Q = std::isnan(longer) ? longer : Q,
           .D_xy = scaled(to_companion.D_xy, 0.75 * Q),
           .theta = std::min(scaled(to_companion.theta, 2 * Q), std::numbers::pi / 2),
-          .period = scaled(to_companion.period, 2 * Q / std::max(kFewTurns, run.half_turns))};
+          .period = scaled(to_companion.period, 3 * Q / std::max(kFewTurns, run.half_turns))};
 }
 
 bool is_confirmed(Motion motion, double margin, Motion of_companion, const ErrorEstimate& error) {

@@ -93,7 +93,7 @@ def rows_of(ladders):
     rows = []
     for (fluid, index), runs in ladders.items():
         for nodes, error in errors_of(runs).items():
-            if companion(nodes) in runs:
+            if companion(nodes) in runs and runs[companion(nodes)].ended():
                 rows.append({"fluid": fluid, "index": index, "rung": nodes, "finest": max(n for n in runs if runs[n].ended()),
                              "case": runs[nodes].entry["case"], "kt": runs[nodes].entry["kt"],
                              "d": to_companion(runs[nodes], runs[companion(nodes)]), "t": error, "runs": runs})
@@ -144,7 +144,7 @@ def stated(row):
     Q = max(floor, factor * row["d"]["Q"])
     return {"Q": Q, "D_xy": max(factor * row["d"]["D_xy"], 0.75 * Q),
             "theta": min(max(factor * row["d"]["theta"], 2 * Q), math.pi / 2),
-            "period": max(factor * row["d"]["period"], 2 * Q / half_turns)}
+            "period": max(factor * row["d"]["period"], 3 * Q / half_turns)}
 
 
 def finite(rows, kind):

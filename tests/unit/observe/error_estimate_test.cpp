@@ -60,7 +60,7 @@ TEST(ErrorEstimate, OfDeformationAngleAndPeriodDoesNotVanishWhereTheyAgreeByChan
   const ErrorEstimate error = estimated_error(kStokes, by_chance);
   EXPECT_DOUBLE_EQ(error.D_xy, 0.75 * error.Q);
   EXPECT_DOUBLE_EQ(error.theta, 2 * error.Q);
-  EXPECT_DOUBLE_EQ(error.period, error.Q);
+  EXPECT_DOUBLE_EQ(error.period, 1.5 * error.Q);
 }
 
 TEST(ErrorEstimate, IsNeverZeroAndUnknownWhereTheDistanceIs) {
