@@ -2,8 +2,9 @@
 """Runs random cases on the rungs of their ladder and appends one JSON line a run to a file.
 
     studies/calibration/calibrate.py CAPSTAN RUNS.jsonl [--fluid stokes|quasisteady] [--cases FROM:TO] [--up-to NODES]
+                                     [--errors 0.05,0.01]
 
-A rung is named by its nodes. Runs that the file already holds are skipped, so an interrupted study goes on when the same
+With --errors the cases are also run with these errors asked for. A rung is named by its nodes. Runs that the file already holds are skipped, so an interrupted study goes on when the same
 command is given again. evaluate.py turns the file into distances, errors and factors.
 """
 import argparse
@@ -54,10 +55,14 @@ def fidelity(fluid, nodes):
     return {"nodes": nodes} if fluid == "stokes" else {"dx": 12.8 / PARTS_OF_BOX[nodes], "nodes": nodes, "box": 12.8}
 
 
-def case_at_rung(case, kt, fluid, rung):
+def case_with(case, kt, fluid, fidelity):
     inertia = {"Re": 0.05} if fluid == "quasisteady" else {}
-    return {**case, **inertia, "fluid": fluid, "companion": False, "until": {"kt": kt}, "fidelity": fidelity(fluid, rung),
+    return {**case, **inertia, "fluid": fluid, "until": {"kt": kt}, "fidelity": fidelity,
             "outputs": {"shapes_every": 0, "history_every": 0.1}}
+
+
+def case_at_rung(case, kt, fluid, rung):
+    return {**case_with(case, kt, fluid, fidelity(fluid, rung)), "companion": False}
 
 
 def limit_processor_time():
@@ -78,7 +83,7 @@ def run(capstan, case):
             return {**line, "stop": "no result", "message": ended.stderr.strip()[-300:], "exit": ended.returncode}
         result = json.loads((directory / "run/result.json").read_text())
         history = [json.loads(record) for record in open(directory / "run/history.jsonl")]
-        line |= {key: result[key] for key in ("stop", "message", "motion", "explanation", "evidence")}
+        line |= {key: result[key] for key in ("stop", "message", "motion", "explanation", "evidence", "error")}
         line |= {"stepper": result["case"]["fidelity"].get("stepper"), "kdt": result["case"]["fidelity"].get("kdt"),
                  "steps": result["cost"]["steps"], "warnings": result["trust"]["warnings"],
                  "surface": result["trust"].get("surface")}
@@ -90,13 +95,28 @@ def run(capstan, case):
         shutil.rmtree(directory, ignore_errors=True)
 
 
-def read(path):
-    runs = {}
-    if path.exists():
-        for line in open(path):
-            entry = json.loads(line)
-            runs[entry["index"], entry["fluid"], entry["rung"]] = entry
-    return runs
+class Runs:
+    """The runs in the file, by case, flow model and rung. Of runs that were repeated the last counts."""
+
+    def __init__(self, capstan, path):
+        self.capstan, self.path, self.entries = capstan, path, {}
+        for line in open(path) if path.exists() else []:
+            self.add(json.loads(line))
+
+    def add(self, entry):
+        self.entries[entry["index"], entry["fluid"], entry["rung"]] = entry
+
+    def shortest_kt(self, index, fluid, kt):
+        return min([kt] + [entry["kt"] for (i, f, _), entry in self.entries.items() if (i, f) == (index, fluid)])
+
+    def recorded_or_run(self, index, fluid, rung, kt, case):
+        entry = self.entries.get((index, fluid, rung))
+        if not entry or entry["kt"] != kt:
+            entry = {"index": index, "fluid": fluid, "rung": rung, "kt": kt, "case": draw(index)[0], **run(self.capstan, case)}
+            self.add(entry)
+            with open(self.path, "a") as out:
+                print(json.dumps(entry), file=out)
+        return entry
 
 
 def expected_seconds(entry, nodes):
@@ -104,20 +124,14 @@ def expected_seconds(entry, nodes):
     return entry["seconds"] * (nodes / entry["rung"]) ** ORDER_OF_COST[entry["fluid"]]
 
 
-def compute_ladder(arguments, index, runs, record):
+def compute_ladder(runs, fluid, index, up_to):
     """All rungs to one kt, from the coarsest on; ends before a rung that would take too long."""
-    fluid = arguments.fluid
     case, kt = draw(index)
-    kt = min([kt] + [entry["kt"] for (i, f, _), entry in runs.items() if (i, f) == (index, fluid)])
-    rungs = [nodes for nodes in NODES[fluid] if nodes <= arguments.up_to]
+    kt = runs.shortest_kt(index, fluid, kt)
+    rungs = [nodes for nodes in NODES[fluid] if nodes <= up_to]
 
     def compute(nodes):
-        entry = runs.get((index, fluid, nodes))
-        if not entry or entry["kt"] != kt:
-            entry = {"index": index, "fluid": fluid, "rung": nodes, "kt": kt, "case": case,
-                     **run(arguments.capstan, case_at_rung(case, kt, fluid, nodes))}
-            record(entry)
-        return entry
+        return runs.recorded_or_run(index, fluid, nodes, kt, case_at_rung(case, kt, fluid, nodes))
 
     for position, nodes in enumerate(rungs):
         below = compute(rungs[position - 1]) if position else None
@@ -133,6 +147,14 @@ def compute_ladder(arguments, index, runs, record):
                 compute(coarser)
 
 
+def compute_with_errors(runs, fluid, index, errors):
+    """The case with each of these errors asked for, to the end of its ladder."""
+    case, kt = draw(index)
+    kt = runs.shortest_kt(index, fluid, kt)
+    for error in errors:
+        runs.recorded_or_run(index, fluid, f"error {error:g}", kt, case_with(case, kt, fluid, {"error": error}))
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("capstan")
@@ -140,16 +162,13 @@ def main():
     parser.add_argument("--fluid", default="stokes", choices=NODES)
     parser.add_argument("--cases", default="0:300")
     parser.add_argument("--up-to", type=int, default=5762, help="nodes of the finest rung")
+    parser.add_argument("--errors", type=lambda text: [float(e) for e in text.split(",")], default=[])
     arguments = parser.parse_args()
     first, last = map(int, arguments.cases.split(":"))
-    runs = read(arguments.runs)
-    with open(arguments.runs, "a") as out:
-        def record(entry):
-            runs[entry["index"], entry["fluid"], entry["rung"]] = entry
-            print(json.dumps(entry), file=out, flush=True)
-
-        for index in range(first, last):
-            compute_ladder(arguments, index, runs, record)
+    runs = Runs(arguments.capstan, arguments.runs)
+    for index in range(first, last):
+        compute_ladder(runs, arguments.fluid, index, arguments.up_to)
+        compute_with_errors(runs, arguments.fluid, index, arguments.errors)
 
 
 if __name__ == "__main__":

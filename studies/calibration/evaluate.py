@@ -48,18 +48,19 @@ def distance(a, b):
 
 
 def read(path):
-    """Ladders by (fluid, case): runs by rung, all to the same kt. Of runs that were repeated the last counts."""
-    ladders = defaultdict(dict)
+    """Ladders by (fluid, case): runs by rung, all to the same kt; and the runs with an error asked for, by the same keys. Of runs that were
+    repeated the last counts."""
+    ladders, asked = defaultdict(dict), defaultdict(dict)
     for line in open(path):
         entry = json.loads(line)
-        key = entry["fluid"], entry["index"]
         if entry["stop"] != "no result":
-            ladders[key][entry["rung"]] = Run(entry)
+            runs = asked if isinstance(entry["rung"], str) else ladders
+            runs[entry["fluid"], entry["index"]][entry["rung"]] = Run(entry)
     for runs in ladders.values():
         end = min(run.entry["kt"] for run in runs.values())
         for rung in [rung for rung, run in runs.items() if run.entry["kt"] > end]:
             del runs[rung]
-    return ladders
+    return ladders, asked
 
 
 def to_companion(run, companion):
@@ -254,9 +255,7 @@ def print_costs(ladders):
           [[fluid, str(rung), str(len(s)), *quantiles(s)[:2]] for (fluid, rung), s in sorted(shares.items())])
 
 
-# As solver/case/ladder.cpp: the usual errors of the rungs.
-USUAL_ERRORS = {42: 0.1, 92: 0.05, 162: 0.025, 362: 0.006, 642: 0.003, 1442: 0.0015, 2562: 0.001}
-MUCH = 3  # a rung is left out where the estimate is this many times the error that is asked for
+RUNGS = (42, 92, 162, 362, 642, 1442, 2562)
 
 
 def true_errors(runs):
@@ -269,37 +268,25 @@ def true_errors(runs):
     return errors
 
 
-def climb(fluid, index, runs, asked):
-    """Rung on which a run with {"error": asked} ends and the seconds of all its runs; no rung if 2562 nodes do not suffice."""
-    pairs = [nodes for nodes in sorted(runs) if companion(nodes) in runs and runs[nodes].ended()]
-    first = [nodes for nodes in pairs if USUAL_ERRORS[nodes] <= asked]
-    at, used = (pairs.index(first[0]) if first else len(pairs) - 1), set()
-    while True:
-        nodes = pairs[at]
-        used |= {nodes, companion(nodes)}
-        row = {"fluid": fluid, "rung": nodes, "case": runs[nodes].entry["case"], "runs": runs,
-               "d": to_companion(runs[nodes], runs[companion(nodes)])}
-        error = stated(row)["Q"]
-        if error <= asked or nodes == pairs[-1]:
-            return (nodes if error <= asked else None), sum(runs[n].entry["seconds"] for n in used)
-        at = min(at + (2 if error > MUCH * asked else 1), len(pairs) - 1)
-
-
-def print_asked(ladders):
+def print_asked(ladders, asked):
     print("## An error that is asked for\n")
     lines = []
-    for asked in (0.05, 0.01, 0.003):
-        met, honoured, costs = 0, 0, []
-        whole = [(key, runs) for key, runs in ladders.items() if key[0] == "stokes" and len(true_errors(runs)) == len(USUAL_ERRORS)]
-        for (fluid, index), runs in whole:
-            true = true_errors(runs)
-            rung, seconds = climb(fluid, index, runs, asked)
-            if rung is None:
+    for name in sorted({name for runs in asked.values() for name in runs}, key=lambda name: -float(name.split()[1])):
+        error = float(name.split()[1])
+        cases, met, honoured, costs = 0, 0, 0, []
+        for key, of_case in asked.items():
+            true = true_errors(ladders[key])
+            if name not in of_case or len(true) < len(RUNGS):
+                continue
+            cases += 1
+            stated = of_case[name].entry["error"]
+            if not stated.get("met") or stated["nodes"] > max(RUNGS):
                 continue
             met += 1
-            honoured += true[rung] <= asked
-            costs.append(seconds / min(runs[n].entry["seconds"] for n in true if true[n] <= asked or n == max(true)))
-        lines.append([asked, str(len(whole)), str(met), str(honoured), *quantiles(costs)[:2]])
+            honoured += true[stated["nodes"]] <= error
+            enough = [nodes for nodes in RUNGS if true[nodes] <= error] or [max(RUNGS)]
+            costs.append(of_case[name].entry["seconds"] / min(ladders[key][nodes].entry["seconds"] for nodes in enough))
+        lines.append([error, str(cases), str(met), str(honoured), *quantiles(costs)[:2]])
     table(["error asked for", "cases", "met by 2562 nodes", "honoured", "cost over that of the cheapest run with this error: median", "90 %"], lines)
 
 
@@ -312,11 +299,11 @@ def write_errors(rows, path):
 
 
 if __name__ == "__main__":
-    ladders = read(sys.argv[1])
+    ladders, asked = read(sys.argv[1])
     rows = rows_of(ladders)
     print("<!-- made by evaluate.py -->\n")
     for print_part in (print_coverage, print_ratios, print_usual_errors, print_labels):
         print_part(rows)
-    print_asked(ladders)
+    print_asked(ladders, asked)
     print_costs(ladders)
     write_errors(rows, sys.argv[2])
