@@ -8,9 +8,6 @@
 namespace capstan {
 namespace {
 
-/// |Q| below which a motion that has not settled is a transition (solver/observe/motion_features.cpp).
-constexpr double kNearRound = 0.06;
-
 /// A change that is to be located.
 struct Change {
   Bracket bracket;

@@ -26,12 +26,9 @@ struct RowPoint {
   double error = std::numeric_limits<double>::quiet_NaN();  ///< of Q; NaN if unknown
 };
 
-/// The share of the shape from which all half-turns are of the shape (solver/observe/half_turns.hpp).
-constexpr double kOfTheShape = 0.75;
-
 /// Signed smallest distance of Q to 0: positive if the shape turns over in all half-turns, negative if it
 /// fails to do so. At the boundary Q passes through 0, and the distance changes its sign smoothly.
-inline double score(const RowPoint& point) { return point.r >= kOfTheShape ? point.D_min : -point.D_min; }
+inline double score(const RowPoint& point) { return point.r >= kOfShape ? point.D_min : -point.D_min; }
 
 inline bool has_class(const RowPoint& point) {
   return point.is_confirmed && (point.motion == Motion::tumbling || point.motion == Motion::tank_treading);

@@ -68,6 +68,18 @@ std::int64_t add_messages(Database& database, const std::string& study_id, const
   return cases;
 }
 
+/// Adds the undecided cases, by what they lack. Returns their number.
+std::int64_t add_undecided(Database& database, const std::string& study_id, Reasons& reasons) {
+  std::int64_t cases = 0;
+  Statement row = database.query(
+      "SELECT DISTINCT case_id, r.document ->> '$.explanation' FROM study_cases JOIN results r USING "
+      "(case_id)"
+      " WHERE study_id = ? AND motion = 'undecided'",
+      study_id);
+  for (; row.step(); ++cases) reasons.add_message("undecided", row.text(1), "case " + row.text(0));
+  return cases;
+}
+
 /// Adds the running cases, by where they are.
 void add_running(Database& database, const std::string& study_id, const RunPlaces& places, Reasons& reasons) {
   std::map<std::string, std::int64_t> cases_at;
@@ -93,7 +105,8 @@ std::optional<ordered_json> why_study(Database& database, const std::string& stu
   add_running(database, study_id, places, reasons);
   for (const char* state : {"failed", "diverged", "cancelled"})
     add_messages(database, study_id, state, reasons);
-  reasons.add(count("done"), "done, with an answer");
+  const std::int64_t undecided = add_undecided(database, study_id, reasons);
+  reasons.add(count("done") - undecided, "done, with an answer");
   return ordered_json{{"id", study_id}, {"state", (*study)["state"]}, {"reasons", reasons.list()}};
 }
 

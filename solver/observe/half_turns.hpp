@@ -5,13 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "solver/observe/motion.hpp"
 #include "solver/observe/motion_sample.hpp"
 
 namespace capstan {
-
-/// A half-turn is of the membrane if the share of the shape in it is at most kOfMembrane, and of the shape if
-/// it is at least kOfShape. Between the two it is of neither kind.
-constexpr double kOfMembrane = 0.25, kOfShape = 0.75;
 
 double shape_turns(Samples samples);     ///< -(change of theta) / pi
 double membrane_turns(Samples samples);  ///< -(change of psi) / pi

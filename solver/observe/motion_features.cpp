@@ -28,13 +28,10 @@ std::optional<Samples> steady_part(Samples run) {
   return part && hardly_moves(*part, kChange) ? part : std::nullopt;
 }
 
-/// Distance of Q to 0 that rule 4 requires: min(0.06, D_max / 2). In 96 boundary-integral runs of a biconcave
-/// capsule, each computed to kt = 90, every run that kept |Q| > 0.06 over two half-turns continued its kind
-/// of motion. For a nearly spherical capsule, whose D_xy is small at all times, D_max / 2 is the smaller
-/// number.
+/// Distance of Q to 0 that rule 4 requires: min(kNearRound, D_max / 2). For a nearly spherical capsule, whose
+/// D_xy is small at all times, D_max / 2 is the smaller number.
 double required_distance(Samples samples) {
-  constexpr double kClear = 0.06;
-  return std::min(kClear, std::ranges::max_element(samples, {}, &MotionSample::D_xy)->D_xy / 2);
+  return std::min(kNearRound, std::ranges::max_element(samples, {}, &MotionSample::D_xy)->D_xy / 2);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ inline double random_at(double Ca, double V, unsigned salt) {
 
 /// A point as a run reports it: its score is wrong by less than the error that it states.
 inline RowPoint computed_point(const SyntheticMap& map, double Ca, double V) {
-  constexpr double kLeastError = 0.01, kNearRound = 0.06;
+  constexpr double kLeastError = 0.01;
   RowPoint point;
   point.value = Ca;
   point.has_ended = true;

@@ -61,6 +61,21 @@ TEST_F(ServiceTest, CancelledStudyThatHasEndedIsNotComplete) {
   EXPECT_EQ(cases(id)[3]["progress"], 0);
 }
 
+TEST_F(ServiceTest, UndecidedCasesOfAStudySayWhatTheyLack) {
+  const std::string id = service_->submit(sample_study("study", {{"Ca", {0.1, 0.2}}})).study_id;
+  service_->tick();
+  complete("run 1", "tumbling");
+  std::ofstream(directory_of("run 2").result_file())
+      << R"({"stop": "reached_end", "motion": "undecided", "explanation": "0.4 half-turns were seen."})";
+  executor_.exit("run 2", 0);
+  service_->tick();
+  const auto reasons = why_study(*service_->reader(), id, service_->places()).value()["reasons"];
+  ASSERT_EQ(reasons.size(), 2u);
+  EXPECT_EQ(reasons[0]["reason"],
+            "undecided: 0.4 half-turns were seen. (case " + std::string(cases(id)[1]["id"]) + ")");
+  EXPECT_EQ(reasons[1], nlohmann::json({{"cases", 1}, {"reason", "done, with an answer"}}));
+}
+
 TEST_F(ServiceTest, ReasonsOfAStudyAreCounted) {
   const std::string id = service_->submit(sample_study("study", {{"Ca", {0.1, 0.2, 0.3, 0.4}}})).study_id;
   service_->tick();
