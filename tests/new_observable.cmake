@@ -41,6 +41,7 @@ capstan_test(new_observable_test LABEL unit LINKS capstan::runner capstan::solve
   unit/observe/new_observable_test.cpp
   ${changed}/${functions}
   ${PROJECT_SOURCE_DIR}/runner/queries/history_query.cpp
+  ${PROJECT_SOURCE_DIR}/runner/queries/time_grid.cpp
   ${PROJECT_SOURCE_DIR}/runner/recording/history.cpp
   ${PROJECT_SOURCE_DIR}/runner/render/result_columns.cpp
   ${PROJECT_SOURCE_DIR}/runner/store/history_columns.cpp

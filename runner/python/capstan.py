@@ -74,15 +74,20 @@ class Server:
         body = b"" if document is None else json.dumps(document).encode()
         return json.loads(self.request(path, body=body or None, method="POST"))
 
-    def items(self, path, key):
-        """The items of a list, from all its pages."""
-        query = {}
+    def pages(self, path, query=()):
+        """The pages of a list."""
+        query = dict(query)
         while True:
             page = self.get(path, query)
-            yield from page[key]
+            yield page
             if page["next"] is None:
                 return
-            query = {"after": page["next"]}
+            query["after"] = page["next"]
+
+    def items(self, path, key):
+        """The items of a list, from all its pages."""
+        for page in self.pages(path):
+            yield from page[key]
 
     def studies(self):
         """All studies, the newest first."""
@@ -154,30 +159,29 @@ class Study:
                 return Case(self.server, item["id"])
         raise LookupError(f"{self.id} has no point {point}")
 
-    def histories(self, kt=None):
+    def histories(self, every=None, columns=None):
         """The histories of all points on one time grid, linear between two records, NaN after the end of a run.
 
-        kt  the grid; by default the recorded times of the longest run
+        every    distance of the times; by default that of the records
+        columns  names of observables; by default all
         Returns an xarray.Dataset over `point` and `kt`, with the values of the axes as coordinates; without xarray a
         dictionary of arrays #points x #kt, with `kt`, `point` and the axes.
         """
-        points = self.points()
-        columns = [Case(self.server, point["id"]).history() for point in points]
-        if kt is None:
-            kt = max((history["kt"] for history in columns), key=lambda times: times[-1] if len(times) else -1.0,
-                     default=np.array([]))
-        names = [name for name in (columns[0] if columns else {}) if name != "kt"]
-        data = {name: np.array([_on_grid(kt, history["kt"], history[name]) for history in columns]) for name in names}
+        query = {"every": every, "columns": columns and ",".join(columns)}
+        pages = list(self.server.pages(self.path + "/histories", {key: value for key, value in query.items() if value}))
+        points = [point for page in pages for point in page["points"]]
+        kt = max((np.array(page["kt"]) for page in pages), key=len)  # a run may go on from page to page
+        data = {name: np.array([_padded(point["history"][name], len(kt)) for point in points])
+                for name in (points[0]["history"] if points else {})}
         coordinates = {"point": np.array([point["point"] for point in points])}
         for axis in self.show()["axes"]:
             name = axis["parameter"]
-            values = [point["asked"][name] for point in points]
-            coordinates[name] = np.array([_word(value) for value in values])
+            coordinates[name] = np.array([_word(point["asked"][name]) for point in points])
         if xarray is None:
-            return {"kt": np.asarray(kt), **coordinates, **data}
+            return {"kt": kt, **coordinates, **data}
         return xarray.Dataset(
             {name: (("point", "kt"), values) for name, values in data.items()},
-            coords={"kt": np.asarray(kt), "point": coordinates.pop("point"),
+            coords={"kt": kt, "point": coordinates.pop("point"),
                     **{name: ("point", values) for name, values in coordinates.items()}})
 
     def phase_diagram(self, **section):
@@ -206,8 +210,7 @@ class Case:
     def history(self):
         """One array for each observable, NaN where there is no number."""
         columns = self.server.get(self.path + "/history")
-        return {name: np.array([np.nan if value is None else value for value in values], dtype=float)
-                for name, values in columns.items()}
+        return {name: _numbers(values) for name, values in columns.items()}
 
     def shapes(self):
         """The recorded shapes as arrays (schema/shapes.md), with `kt`; LookupError if there are none."""
@@ -272,10 +275,13 @@ def _flat(value, prefix=""):
     return row
 
 
-def _on_grid(grid, times, values):
-    if len(times) == 0:
-        return np.full(len(grid), np.nan)
-    return np.interp(grid, times, values, left=np.nan, right=np.nan)
+def _numbers(values):
+    """An array with NaN where there is no number."""
+    return np.array([np.nan if value is None else value for value in values], dtype=float)
+
+
+def _padded(values, size):
+    return np.concatenate([_numbers(values), np.full(size - len(values), np.nan)])
 
 
 def _read_tensors(data):

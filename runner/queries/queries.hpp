@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runner/queries/case_filter.hpp"
+#include "runner/queries/time_grid.hpp"
 #include "runner/store/database.hpp"
 #include "solver/case/parse.hpp"
 
@@ -54,6 +55,14 @@ std::optional<nlohmann::ordered_json> find_case(Database& database, const std::s
 
 /// {"kt": [..], "D_xy": [..], …}: the recorded times of a case; nothing if there is no such case.
 std::optional<nlohmann::ordered_json> find_history(Database& database, const std::string& case_id);
+
+/// The points of a study with their histories at the times of the grid:
+/// [{"point", "id", "asked", "history": {"D_xy": [..], …}}].
+/// \param columns  names of observables
+/// \param filter   validated, as of find_cases()
+Page find_histories(Database& database, const std::string& study_id, const TimeGrid& grid,
+                    const std::vector<std::string>& columns, const CaseFilter& filter,
+                    const PageRequest& wanted);
 
 /// {"studies": [..], "cases": [..]}: the ids that `word` may abbreviate, at most twenty each. Studies: the
 /// one with this id, else those with this name, else those whose id begins with it. Cases: those whose id

@@ -51,4 +51,21 @@ Table history_table(const ordered_json& history) {
   return table;
 }
 
+Table histories_table(const ordered_json& study, const TimeGrid& grid,
+                      const std::vector<std::string>& columns, const ordered_json& points) {
+  Table table{{"point"}, {}};
+  for (const ordered_json& axis : study["axes"]) table.columns.push_back(axis["parameter"]);
+  table.columns.emplace_back("kt");
+  table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+  for (const ordered_json& point : points)
+    for (std::size_t i = 0; i < grid.size; ++i) {
+      std::vector<ordered_json>& row = table.rows.emplace_back();
+      row.push_back(point["point"]);
+      for (const ordered_json& axis : study["axes"]) row.push_back(point["asked"][axis["parameter"]]);
+      row.emplace_back(grid.time(i));
+      for (const std::string& name : columns) row.push_back(point["history"][name][i]);
+    }
+  return table;
+}
+
 }  // namespace capstan

@@ -20,4 +20,9 @@ Table diagram_table(const PhaseDiagram& diagram);
 /// One column for each observable, one row a record. \param history  as find_history returns it
 Table history_table(const nlohmann::ordered_json& history);
 
+/// One row for each point and time: the point, the values of the axes as requested, kt, then one column for
+/// each observable. \param study  as find_study returns it  \param points  as find_histories returns them
+Table histories_table(const nlohmann::ordered_json& study, const TimeGrid& grid,
+                      const std::vector<std::string>& columns, const nlohmann::ordered_json& points);
+
 }  // namespace capstan

@@ -27,6 +27,7 @@ Response get_studies(Service& service, const httplib::Request& request, const st
 Response get_study(Service& service, const httplib::Request& request, const std::string& id);
 Response delete_study(Service& service, const httplib::Request& request, const std::string& id);
 Response get_study_cases(Service& service, const httplib::Request& request, const std::string& id);
+Response get_study_histories(Service& service, const httplib::Request& request, const std::string& id);
 Response get_study_why(Service& service, const httplib::Request& request, const std::string& id);
 Response get_phase_diagram(Service& service, const httplib::Request& request, const std::string& id);
 Response get_boundary(Service& service, const httplib::Request& request, const std::string& id);

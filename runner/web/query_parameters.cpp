@@ -28,6 +28,11 @@ std::string issue_of_number(const std::string& value) {
   return number && std::isfinite(*number) ? "" : "must be a number";
 }
 
+std::string issue_of_distance(const std::string& value) {
+  const auto number = number_in<double>(value);
+  return number && std::isfinite(*number) && *number > 0 ? "" : "must be a number above 0";
+}
+
 std::string issue_of_word(const std::string& value, std::span<const std::string_view> words) {
   if (std::find(words.begin(), words.end(), value) != words.end()) return "";
   return "must be one of: " + listed(words);
@@ -60,6 +65,15 @@ std::string issue_of_fidelity(const std::string& value) {
 }
 
 std::string issue_of_axis(const std::string& value) { return issue_of_word(value, axis_parameters()); }
+
+/// The names of observables, separated by commas.
+std::string issue_of_columns(const std::string& value) {
+  const std::vector<std::string> columns = columns_on_grid();
+  const std::vector<std::string_view> known(columns.begin(), columns.end());
+  for (const std::string& name : words_of_list(value))
+    if (const std::string issue = issue_of_word(name, known); !issue.empty()) return "each " + issue;
+  return "";
+}
 
 std::string issue_of_format(const std::string& value) { return issue_unless_among(value, "json", "csv"); }
 
@@ -96,6 +110,16 @@ std::span<const QueryParameter> page_parameters() {
 std::span<const QueryParameter> case_list_parameters() {
   static const std::vector<QueryParameter> filters = filters_of_cases();
   return filters;
+}
+
+std::span<const QueryParameter> histories_parameters() {
+  static const std::vector<QueryParameter> histories = [] {
+    std::vector<QueryParameter> all = filters_of_cases();
+    all.push_back({"every", issue_of_distance});
+    all.push_back({"columns", issue_of_columns});
+    return all;
+  }();
+  return histories;
 }
 
 std::span<const QueryParameter> phase_diagram_parameters() {

@@ -16,6 +16,7 @@ struct QueryParameter {
 
 std::span<const QueryParameter> page_parameters();       ///< of a list in pages
 std::span<const QueryParameter> case_list_parameters();  ///< of the list of a study's cases, with its filters
+std::span<const QueryParameter> histories_parameters();  ///< the same filters, and the time grid
 std::span<const QueryParameter> phase_diagram_parameters();
 std::span<const QueryParameter> shapes_parameters();
 std::span<const QueryParameter> format_parameters();

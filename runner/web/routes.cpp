@@ -29,6 +29,7 @@ constexpr Route kRoutes[] = {
     {"GET", "/v1/studies/{id}", get_study},
     {"DELETE", "/v1/studies/{id}", delete_study},
     {"GET", "/v1/studies/{id}/cases", get_study_cases, case_list_parameters},
+    {"GET", "/v1/studies/{id}/histories", get_study_histories, histories_parameters},
     {"GET", "/v1/studies/{id}/why", get_study_why},
     {"GET", "/v1/studies/{id}/phase-diagram", get_phase_diagram, phase_diagram_parameters},
     {"GET", "/v1/studies/{id}/boundary", get_boundary, format_parameters},

@@ -39,7 +39,10 @@ ordered_json warnings_of(const Study& study, const Service& service) {
 
 ordered_json with_links(ordered_json study) {
   const std::string self = "/v1/studies/" + study["id"].get<std::string>();
-  study["links"] = {{"self", self}, {"cases", self + "/cases"}, {"phase_diagram", self + "/phase-diagram"}};
+  study["links"] = {{"self", self},
+                    {"cases", self + "/cases"},
+                    {"histories", self + "/histories"},
+                    {"phase_diagram", self + "/phase-diagram"}};
   if (!study["boundary"].is_null()) study["links"]["boundary"] = self + "/boundary";
   return study;
 }

@@ -65,15 +65,19 @@ class PythonClient(unittest.TestCase):
         self.assertLessEqual(set(columns), set(header))
 
     def test_histories_are_on_one_grid(self):
-        histories = self.study.histories(kt=np.linspace(0, 3, 7))
-        deformation = np.asarray(histories["D_xy"])
-        self.assertEqual(deformation.shape, (2, 7))
-        self.assertTrue(np.isfinite(deformation[:, :5]).all())
-        self.assertTrue(np.isnan(deformation[:, 5:]).all(), "after the end of the runs")
+        histories = self.study.histories(every=0.125, columns=["D_xy"])
+        self.assertEqual(list(np.asarray(histories["kt"])), [0.125 * i for i in range(17)])
         self.assertEqual(list(np.asarray(histories["Ca"])), [0.1, 0.4])
+        self.assertNotIn("theta", histories)
+        for point, on_grid in enumerate(np.asarray(histories["D_xy"]), start=1):
+            recorded = self.study.case(point).history()["D_xy"]
+            np.testing.assert_array_equal(on_grid[::2], recorded)
+            np.testing.assert_allclose(on_grid[1::2], (recorded[:-1] + recorded[1:]) / 2, rtol=1e-12)
 
-    def test_grid_is_that_of_the_longest_run(self):
-        self.assertEqual(list(np.asarray(self.study.histories()["kt"])), [0.25 * i for i in range(9)])
+    def test_grid_is_that_of_the_records(self):
+        histories = self.study.histories()
+        self.assertEqual(list(np.asarray(histories["kt"])), [0.25 * i for i in range(9)])
+        self.assertTrue(np.isfinite(np.asarray(histories["theta"])).all())
 
     def test_shapes_have_the_deformation_of_the_history(self):
         case = self.study.case(2)

@@ -37,6 +37,9 @@ TEST_F(RoutesTest, InvalidQueryIsRefusedWithWhatIsAllowed) {
       {study + "/cases", {{"ca", "0.25"}}, "is unknown; there are: limit, after, format, state, motion"},
       {study + "/cases", {{"limit", "0"}}, "must be a whole number from 1 to 1000"},
       {study + "/cases", {{"limit", "1e3"}}, "must be a whole number from 1 to 1000"},
+      {study + "/histories", {{"every", "0"}}, "must be a number above 0"},
+      {study + "/histories", {{"every", "nan"}}, "must be a number above 0"},
+      {study + "/histories", {{"columns", "D_xy,size"}}, "each must be one of: D_xy, theta"},
       {study + "/phase-diagram", {{"x", "colour"}}, "must be one of: shape"},
       {study + "/phase-diagram", {{"z", "Ca"}}, "is unknown"},
       {study + "/events", {{"since", "1"}}, "there are no parameters here"},
@@ -126,8 +129,8 @@ TEST_F(RoutesTest, UnchangedResponseIsNotSentAgain) {
 TEST_F(RoutesTest, UnknownPathsAndIdsAreNotFound) {
   for (const char* path :
        {"/page", "/page/", "/page/nobody.js", "/page/..%2Fpage.js", "/v1", "/v1/studies/nobody",
-        "/v1/studies/nobody/cases", "/v1/studies/a/b/cases", "/v1/studies/nobody/phase-diagram",
-        "/v1/cases/0123", "/v1/cases/0123/history", "/v1/cases/"})
+        "/v1/studies/nobody/cases", "/v1/studies/nobody/histories", "/v1/studies/a/b/cases",
+        "/v1/studies/nobody/phase-diagram", "/v1/cases/0123", "/v1/cases/0123/history", "/v1/cases/"})
     EXPECT_EQ(get(path).status, 404) << path;
   EXPECT_EQ(ask("POST", "/v1/studies/nobody/cancel").status, 404);
 }

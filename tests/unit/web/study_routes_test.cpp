@@ -191,6 +191,53 @@ TEST_F(StudyRoutesTest, CasesAreOneTableAsCsvWithoutPages) {
   EXPECT_EQ(std::ranges::count(get(path, {{"format", "csv"}, {"motion", "tumbling"}}).body, '\n'), 2);
 }
 
+TEST_F(StudyRoutesTest, HistoriesAreOnOneTimeGrid) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one() + "/histories";
+  const ordered_json found = json(get(path, {{"every", "7.5"}, {"columns", "theta,D_xy"}}));
+  EXPECT_EQ(found["kt"], ordered_json({0.0, 7.5, 15.0, 22.5, 30.0}));
+  ASSERT_THAT(found["points"], SizeIs(2));
+  EXPECT_EQ(found["points"][0]["point"], 1);
+  EXPECT_EQ(found["points"][0]["asked"]["Ca"], 0.25);
+  EXPECT_EQ(found["points"][0]["history"]["theta"], ordered_json({nullptr, nullptr, 0.5, -1.0, -2.5}))
+      << "recorded at 15 and 30";
+  EXPECT_EQ(found["points"][1]["history"]["theta"], ordered_json(5, nullptr)) << "not computed yet";
+  EXPECT_THAT(found["points"][0]["history"], SizeIs(2)) << "the columns that were asked for";
+  EXPECT_TRUE(found["next"].is_null());
+  EXPECT_THAT(json(get(path))["kt"], SizeIs(301)) << "outputs.history_every is 0.1";
+}
+
+TEST_F(StudyRoutesTest, HistoriesAreFilteredAndReturnedInPages) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one() + "/histories";
+  EXPECT_THAT(json(get(path, {{"motion", "tumbling"}}))["points"], SizeIs(1));
+  const ordered_json first = json(get(path, {{"limit", "1"}}));
+  EXPECT_THAT(first["points"], SizeIs(1));
+  const ordered_json second = json(get(path, {{"limit", "1"}, {"after", first["next"]}}));
+  EXPECT_EQ(second["points"][0]["point"], 2);
+  EXPECT_EQ(second["kt"], first["kt"]);
+  EXPECT_EQ(get(path, {{"every", "5"}, {"after", first["next"]}}).status, 400)
+      << "the cursor of another grid";
+}
+
+TEST_F(StudyRoutesTest, HistoriesAsCsvHaveARowForEachPointAndTime) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one() + "/histories";
+  const std::string table = get(path, {{"every", "15"}, {"columns", "theta"}, {"format", "csv"}}).body;
+  EXPECT_EQ(table,
+            "point,Ca,V,kt,theta\r\n"
+            "1,0.25,4,0,\r\n1,0.25,4,15,0.5\r\n1,0.25,4,30,-2.5\r\n"
+            "2,0.75,4,0,\r\n2,0.75,4,15,\r\n2,0.75,4,30,\r\n");
+  EXPECT_EQ(get(path, {{"every", "15"}, {"columns", "theta"}}, "text/csv").body, table);
+}
+
+TEST_F(StudyRoutesTest, HistoriesThatWouldBeTooLongAreRefused) {
+  const std::string path = "/v1/studies/" + submit_and_complete_one() + "/histories";
+  for (const char* every : {"1e-3", "1e-300"}) {
+    const Response refusal = get(path, {{"every", every}});
+    EXPECT_EQ(refusal.status, 400) << every;
+    EXPECT_THAT(refusal.body, HasSubstr("a grid has at most 10000 times"));
+  }
+  EXPECT_EQ(get(path, {{"every", "0.004"}}).status, 200);
+}
+
 TEST_F(StudyRoutesTest, PhaseDiagramAsCsvHasARowForEachPoint) {
   const std::string id = submit_and_complete_one();
   const std::string table = get("/v1/studies/" + id + "/phase-diagram", {{"format", "csv"}}).body;
