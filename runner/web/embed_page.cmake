@@ -10,6 +10,7 @@ set(page_files
   capsules.js
   case_details.js
   case_list.js
+  case_study.js
   colour_map.js
   curves.js
   diagram.js

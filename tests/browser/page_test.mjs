@@ -288,6 +288,24 @@ test("a boundary is found and drawn with its band and limits while the diagram i
   const page = await open(`${real.url}/#study=${id}`);
   await page.getByText(/^Found\. V = 1: Ca = 0\.1\d+ \(.*V = 2: Ca = 0\.2\d+/).waitFor();
   const {curves: [{points}]} = await (await fetch(`${real.url}/v1/studies/${id}/boundary`)).json();
+test("a case without shapes is computed again with them, and shown in its place", async () => {
+  const real = await serve(CAPSTAN, "shapes");
+  const id = await submit(real.url, study("plain", {Ca: [0.25]}, {V: 4, until: {kt: 2}, fidelity: {nodes: 162}, outputs: {shapes_every: 0}}));
+  const page = await open(`${real.url}/#study=${id}`);
+  await page.getByText("finished; 1 of 1 cases").first().waitFor();
+  await page.locator("#point-1").click();
+  await page.getByRole("button", {name: "Compute its shapes"}).click();
+  await page.locator("canvas.capsule").waitFor();
+  assert.equal(await page.locator("section.case").count(), 1);
+  await page.locator("#studies a", {hasText: "plain-shapes"}).waitFor();
+  const [, case_id] = /case=(\w+)/.exec(page.url());
+  const {parameters} = await (await fetch(`${real.url}/v1/cases/${case_id}`)).json();
+  assert.equal(parameters.outputs.shapes_every, 0.5);
+  assert.equal(parameters.Ca, 0.25);
+  await close(page);
+  await real.stop();
+});
+
   assert.equal(points.length, 2);
   const corners = async (name) => (await page.locator(`svg path.${name}`).getAttribute("d")).match(/[ML]/g).length;
   assert.equal(await corners("boundary"), 2);

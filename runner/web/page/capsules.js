@@ -8,12 +8,13 @@ import {fields_of, range_of} from "./vertex_fields.js";
 import {number_words} from "./words.js";
 
 const kNothing = 1e-6;  // of the largest number: rounding errors
-const kNoShapes = "This case has recorded no shapes. A study whose base has \"outputs\": {\"shapes_every\": 0.5} records one each kt = 0.5.";
 
 const shapes_path = (id) => `/v1/cases/${encodeURIComponent(id)}/shapes`;
 
 export class Capsules {
-  constructor() {
+  /// \param compute(shown)  called for a case that is to be computed again, with its shapes
+  constructor(compute) {
+    this.compute = compute;
     this.known = new Map();  // views of cases, with their fields, by id
     this.kt = 0;
     this.views = element("div", {class: "capsules"});
@@ -45,17 +46,24 @@ export class Capsules {
   async view_of(item) {
     const {id} = item.shown;
     const {kt: times} = await get(shapes_path(id));
-    const text = JSON.stringify([times.length, item.title, item.colour]);
+    const text = JSON.stringify([times.length || item.shown.state, item.title, item.colour]);
     if (this.known.get(id)?.text !== text) this.known.set(id, {text, ...await this.new_view(item, times)});
     return this.known.get(id);
   }
 
   async new_view(item, times) {
     const shapes = await load_shapes(item.shown.id, times);
-    if (!shapes) return {place: element("p", {class: "hint"}, `${item.title}: ${kNoShapes}`)};
+    if (!shapes) return {place: this.no_shapes(item)};
     const {CapsuleScene} = await import("./capsule_scene.js");
     const view = new CapsuleView(item, new CapsuleScene(shapes.triangles, shapes.positions[0]), shapes);
     return {place: view.place, view, fields: fields_of(shapes)};
+  }
+
+  no_shapes({shown, title}) {
+    if (["queued", "running"].includes(shown.state) && shown.parameters.outputs.shapes_every > 0)
+      return element("p", {class: "hint"}, `${title}: no shape is recorded yet.`);
+    return element("p", {class: "hint"}, `${title}: this case has recorded no shapes. `,
+      element("button", {click: () => this.compute(shown)}, "Compute its shapes"));
   }
 
   offer_fields() {

@@ -17,13 +17,14 @@ const drawn_words = ({shown, history}) => [shown.id, history.kt.length];
 const told_words = ({shown}) => [shown.id, shown.state, shown.motion, shown.message, shown.reasons];
 
 export class OpenCases {
-  /// \param close(id)  called when a case is closed
-  constructor(close) {
+  /// \param close(id)              called when a case is closed
+  /// \param compute_shapes(shown)  called for a case that is to be computed again, with its shapes
+  constructor(close, compute_shapes) {
     this.close = close;
     this.known = new Map();  // cases that will not change, with their histories
     this.curves = new Curves();
     this.path = new PathOfQ();
-    this.capsules = new Capsules();
+    this.capsules = new Capsules(compute_shapes);
     this.slider = new TimeSlider((kt) => [this.capsules, this.curves, this.path].forEach((shown) => shown.set_time(kt)));
     this.cases = element("div", {class: "cases"});
     this.pictures = element("div", {class: "pictures"}, this.path.place, this.curves.place);

@@ -1,18 +1,17 @@
 // Asks for the place of a point that is to be computed, shows what it costs, and submits it as a study of one case.
+import {study_of_case, submit_case} from "./case_study.js";
 import {element} from "./elements.js";
 import {post} from "./server.js";
 import {duration_words, sentence} from "./words.js";
 
 const kDigits = 3;
-const kMaxName = 30;
 
 export const rounded = (value) => Number(value.toPrecision(kDigits));
 
 /// The study of one point: all parameters as at the nearest one that is computed, but the two of the axes.
 function study_of_point(study, nearest, place) {
   const words = Object.entries(place).map(([name, value]) => `${name} = ${value}`).join(", ");
-  return {name: `${(study.name || study.id).slice(0, kMaxName)}-point`, description: `${words}, a point beside those of ${study.id}.`,
-          base: {...nearest, ...place}};
+  return study_of_case(study, "point", `${words}, a point beside those of ${study.id}.`, {...nearest, ...place});
 }
 
 export class PointDialog {
@@ -53,6 +52,6 @@ export class PointDialog {
   async close() {
     const study = this.dialog.returnValue === "go" ? this.make_study() : null;
     this.dialog.remove();
-    if (study) await post("/v1/studies", JSON.stringify(study)).then(this.submitted, (error) => alert(error.message));
+    if (study) await submit_case(study, this.submitted);
   }
 }

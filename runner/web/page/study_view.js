@@ -2,6 +2,7 @@
 import {axes_of, axis_menus, diagram_path, has_diagram} from "./axis_choice.js";
 import {boundary_words} from "./boundary.js";
 import {CaseList} from "./case_list.js";
+import {study_of_case, submit_case} from "./case_study.js";
 import {Diagram} from "./diagram.js";
 import {download_link} from "./download.js";
 import {element, set_text} from "./elements.js";
@@ -13,7 +14,8 @@ import {save_svg} from "./save_picture.js";
 import {get} from "./server.js";
 import {StudyActions} from "./study_actions.js";
 
-const kMaxPage = 1000;  // cases in one answer
+const kMaxPage = 1000;     // cases in one answer
+const kShapesEvery = 0.5;  // kt: between two shapes a capsule turns by less than a right angle
 
 /// [first, last] of x and y, or null.
 function ranges_of({range}) {
@@ -32,11 +34,11 @@ export class StudyView {
     const magnify = (ranges) => go_to({...read_link(), range: ranges?.flat().map(rounded).join(",")});
     this.points = has_diagram(study) ? new Diagram(open, (place, nearest) => this.compute(place, nearest), magnify)
                                      : new CaseList(open);
-    this.dialog = new PointDialog(({id}) => this.open_cases_of(id));
+    this.dialog = new PointDialog(({id}) => this.open_cases_of(id, read_link().cases));
     this.boundary = element("p", {class: "hint", role: "status"});
     const another = element("button", {click: () => this.points.compute_in_the_middle()}, "Compute another point …");
     this.menus = element("div", {class: "menus"});
-    this.opened = new OpenCases((id) => this.close(id));
+    this.opened = new OpenCases((id) => this.close(id), (shown) => this.compute_shapes(shown));
     this.hint = element("p", {class: "hint"});
     this.files = element("p", {class: "files"});
     this.place = element("article", {},
@@ -99,11 +101,17 @@ export class StudyView {
     this.dialog.open(this.study, place, parameters);
   }
 
-  /// Shows the cases of another study beside those that are open.
-  async open_cases_of(id) {
+  /// Computes a case again with its shapes, and shows that in its place.
+  async compute_shapes({id, parameters}) {
+    const base = {...parameters, outputs: {...parameters.outputs, shapes_every: kShapesEvery}};
+    const study = study_of_case(this.study, "shapes", `Case ${id} of ${this.study.id}, with its shapes.`, base);
+    await submit_case(study, (submitted) => this.open_cases_of(submitted.id, read_link().cases.filter((other) => other !== id)));
+  }
+
+  /// Shows the cases of another study. \param others  ids of the cases that are shown before them
+  async open_cases_of(id, others) {
     const {cases} = await get(`/v1/studies/${encodeURIComponent(id)}/cases`);
-    const link = read_link();
-    go_to({...link, cases: [...link.cases, ...cases.map((item) => item.id)]});
+    go_to({...read_link(), cases: [...others, ...cases.map((item) => item.id)]});
   }
 
   async show_list(study, link) {
