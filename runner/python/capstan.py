@@ -30,6 +30,7 @@ try:
 except ImportError:
     xarray = None
 
+GROUPS = ("evidence", "final", "cost", "trust", "error")  # of columns; null before there is a result
 DTYPES = {"F64": "<f8", "F32": "<f4", "U32": "<u4"}
 
 
@@ -270,7 +271,7 @@ def _flat(value, prefix=""):
             row[prefix + key] = _word(item)
         elif isinstance(item, dict):
             row.update(_flat(item, "" if not prefix and key == "parameters" else f"{prefix}{key}."))
-        else:
+        elif item is not None or key not in GROUPS:
             row[prefix + key] = item
     return row
 

@@ -64,6 +64,32 @@ class PythonClient(unittest.TestCase):
         columns = cases[0] if isinstance(cases, list) else cases.reset_index().columns
         self.assertLessEqual(set(columns), set(header))
 
+    def test_case_without_a_result_has_no_further_columns(self):
+        study = self.server.submit({**STUDY, "name": "long", "axes": {"Ca": [0.2, 0.3]},
+                                    "base": {**STUDY["base"], "until": {"kt": 1000}}})
+        cases = study.cases()
+        columns = cases[0] if isinstance(cases, list) else cases.columns
+        self.assertIn("motion", columns)
+        self.assertFalse({"error", "trust", "cost", "final", "evidence"} & set(columns), "groups of columns")
+        self.server.request(study.path, method="DELETE")
+
+    @unittest.skipIf(capstan.pandas is None, "there is no pandas")
+    def test_cases_are_a_data_frame_whose_numbers_can_be_selected_and_plotted(self):
+        cases = self.study.cases()
+        self.assertEqual(cases.index.name, "point")
+        self.assertEqual(list(cases[cases.Ca > 0.2].index), [2])
+        self.assertEqual(cases["final.D_xy"].dtype, float)
+        self.assertEqual(len(cases.to_csv().splitlines()), 3)
+
+    @unittest.skipIf(capstan.xarray is None, "there is no xarray")
+    def test_histories_are_a_dataset_over_point_and_time(self):
+        histories = self.study.histories(every=0.5)
+        self.assertEqual(dict(histories.sizes), {"point": 2, "kt": 5})
+        self.assertEqual(histories.D_xy.dims, ("point", "kt"))
+        of_ca = histories.swap_dims(point="Ca").D_xy.sel(Ca=0.4)
+        np.testing.assert_array_equal(of_ca, self.study.case(2).history()["D_xy"][::2])
+        self.assertEqual(len(histories.to_dataframe()), 10)
+
     def test_histories_are_on_one_grid(self):
         histories = self.study.histories(every=0.125, columns=["D_xy"])
         self.assertEqual(list(np.asarray(histories["kt"])), [0.125 * i for i in range(17)])
