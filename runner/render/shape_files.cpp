@@ -63,6 +63,14 @@ void append_bytes(std::string& text, const Value& value) {
   text.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
+/// The text of an attribute in XML.
+std::string escaped(const std::string& text) {
+  std::string all;
+  for (const char c : text)
+    all += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  return all;
+}
+
 }  // namespace
 
 std::string as_vtp(const TriangulatedShape& shape) {
@@ -110,7 +118,7 @@ std::string as_obj(const TriangulatedShape& shape) {
 std::string as_pvd(const std::vector<TimeAndFile>& files) {
   std::string entries;
   for (const auto& [kt, file] : files)
-    entries += "<DataSet timestep=\"" + shown(kt) + "\" file=\"" + file + "\"/>\n";
+    entries += "<DataSet timestep=\"" + shown(kt) + "\" file=\"" + escaped(file) + "\"/>\n";
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
          "byte_order=\"LittleEndian\">\n"
          "<Collection>\n" +

@@ -64,6 +64,7 @@ TEST(ShapeFiles, ObjCountsVerticesFromOne) {
 TEST(ShapeFiles, CollectionNamesEachFileWithItsTime) {
   EXPECT_THAT(as_pvd({{0, "a_0000.vtp"}, {0.5, "a_0001.vtp"}}),
               HasSubstr("<DataSet timestep=\"0.5\" file=\"a_0001.vtp\"/>"));
+  EXPECT_THAT(as_pvd({{0, "a&\"b_0000.vtp"}}), HasSubstr("file=\"a&amp;&quot;b_0000.vtp\""));
 }
 
 }  // namespace
