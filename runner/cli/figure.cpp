@@ -1,9 +1,11 @@
 // Pictures of studies and cases.
 #include <algorithm>
+#include <iostream>
 #include <iterator>
 
 #include "runner/cli/answers.hpp"
 #include "runner/cli/commands.hpp"
+#include "runner/cli/differing_parameters.hpp"
 #include "runner/cli/pictured_cases.hpp"
 #include "runner/cli/pictured_shapes.hpp"
 #include "runner/cli/published_series.hpp"
@@ -93,6 +95,28 @@ std::string script_of(Client& client, const FigureArguments& arguments, const Pi
                               published_boundaries_of(arguments, diagram), format);
 }
 
+/// The histories of several cases as one table. The parameters in which the cases differ stand first.
+std::string histories_as_csv(Client& client, const std::vector<std::string>& paths) {
+  std::vector<ordered_json> cases;
+  for (const std::string& path : paths) cases.push_back(client.get(path));
+  std::vector<ordered_json> parameters;
+  for (const ordered_json& shown : cases) parameters.push_back(shown["parameters"]);
+  const std::vector<std::string> differing = differing_parameters(parameters);
+  Table all{{"case"}, {}};
+  for (const std::string& path : differing) all.columns.push_back(name_of_parameter(path));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Table table = history_table(client.get(paths[i] + "/history"));
+    if (i == 0) std::ranges::copy(table.columns, std::back_inserter(all.columns));
+    for (const auto& record : table.rows) {
+      auto& row = all.rows.emplace_back();
+      row.push_back(cases[i]["id"]);
+      for (const std::string& path : differing) row.push_back(parameter_at(parameters[i], path));
+      std::ranges::copy(record, std::back_inserter(row));
+    }
+  }
+  return as_csv(all);
+}
+
 }  // namespace
 
 int draw_figure(const FigureArguments& arguments) {
@@ -108,9 +132,13 @@ int draw_figure(const FigureArguments& arguments) {
 int print_histories(const StudyArguments& arguments) {
   Client client(arguments.server);
   const std::vector<std::string> paths = resolve_all(client, arguments.ids, path_of_any);
+  if (std::ranges::any_of(paths, is_study))
+    throw std::invalid_argument("a history is of a case; capstan results lists those of a study");
+  if (paths.size() > 1 && !arguments.json) {
+    std::cout << histories_as_csv(client, paths);
+    return kExitDone;
+  }
   return print_answers(paths, arguments.json, [&](const std::string& path) {
-    if (is_study(path))
-      throw std::invalid_argument("a history is of a case; capstan results lists those of a study");
     const ordered_json columns = client.get(path + "/history");
     return Answer{columns, arguments.json ? "" : as_csv(history_table(columns))};
   });

@@ -2,6 +2,8 @@
 // Options that several commands share. Each of these adds one option to a parser, which stores the value in
 // the named member of the command's arguments.
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
 
 namespace capstan::options {
 
@@ -38,6 +40,23 @@ inline constexpr auto study_ids = [](CLI::App& parser, auto& arguments) {
 inline auto file(const char* description) {
   return [description](CLI::App& parser, auto& arguments) {
     parser.add_option("FILE", arguments.file, description)->required();
+  };
+}
+
+/// --out, stored in `out`: a file to write. Its folder must exist.
+/// \param description  of the file, for --help
+inline auto output_file(const char* description) {
+  return [description](CLI::App& parser, auto& arguments) {
+    const auto issue_of_folder = [](const std::string& out) {
+      const std::filesystem::path folder = std::filesystem::absolute(out).parent_path();
+      return std::filesystem::is_directory(folder)
+                 ? ""
+                 : "cannot write " + out + ": there is no folder " + folder.string();
+    };
+    parser.add_option("-o,--out", arguments.out, description)
+        ->type_name("FILE")
+        ->required()
+        ->check(CLI::Validator(issue_of_folder, ""));
   };
 }
 

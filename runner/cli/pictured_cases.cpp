@@ -1,7 +1,9 @@
 #include "runner/cli/pictured_cases.hpp"
 
 #include <algorithm>
+#include <iterator>
 
+#include "runner/cli/differing_parameters.hpp"
 #include "runner/cli/resolve.hpp"
 #include "runner/study/shown_value.hpp"
 
@@ -57,17 +59,35 @@ void add_cases_of_study(Client& client, const std::string& path, const std::vect
           {title_of(point, study, at), "/v1/cases/" + point["id"].get<std::string>(), point["parameters"]});
 }
 
+/// Cases that are named one by one: by the first parameters in which they differ, else by their ids.
+void name_by_differences(std::vector<PicturedCase>& cases) {
+  constexpr std::size_t kMaxNamed = 3;
+  std::vector<ordered_json> parameters;
+  for (const PicturedCase& c : cases) parameters.push_back(c.parameters);
+  std::vector<std::string> paths = differing_parameters(parameters);
+  paths.resize(std::min(paths.size(), kMaxNamed));
+  for (PicturedCase& c : cases) {
+    std::string title;
+    for (const std::string& path : paths)
+      if (const ordered_json value = parameter_at(c.parameters, path); !value.is_null())
+        title += (title.empty() ? "" : ", ") + name_of_parameter(path) + " = " + shown_value(value);
+    c.title = title.empty() ? c.path.substr(c.path.rfind('/') + 1) : title;
+  }
+}
+
 }  // namespace
 
 std::vector<PicturedCase> pictured_cases(Client& client, const std::vector<std::string>& paths,
                                          const std::vector<std::string>& at) {
   constexpr std::size_t kMaxShown = 28;  // that can be told apart
-  std::vector<PicturedCase> cases;
+  std::vector<PicturedCase> cases, single_cases;
   for (const std::string& path : paths)
     if (is_study(path))
       add_cases_of_study(client, path, at, cases);
     else
-      cases.push_back({path.substr(path.rfind('/') + 1), path, client.get(path)["parameters"]});
+      single_cases.push_back({"", path, client.get(path)["parameters"]});
+  name_by_differences(single_cases);
+  std::ranges::move(single_cases, std::back_inserter(cases));
   if (cases.empty()) throw std::invalid_argument("no case of the study has the values of --at");
   if (cases.size() > kMaxShown)
     throw std::invalid_argument(std::to_string(cases.size()) +

@@ -26,8 +26,9 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-std::vector<Row> rows_of(const std::string& text) {
-  std::istringstream lines(text);
+/// The lines below the header.
+std::vector<Row> rows_of(const std::filesystem::path& file) {
+  std::istringstream lines(read_input(file));
   std::vector<std::string> columns;
   std::vector<Row> rows;
   for (std::string line; std::getline(lines, line);) {
@@ -40,6 +41,9 @@ std::vector<Row> rows_of(const std::string& text) {
     Row& row = rows.emplace_back();
     for (std::size_t i = 0; i < std::min(columns.size(), cells.size()); ++i) row[columns[i]] = cells[i];
   }
+  if (rows.empty())
+    throw std::invalid_argument(input_name(file) + (columns.empty() ? " is empty" : " has only a header") +
+                                ": there is no published point to draw");
   return rows;
 }
 
@@ -86,7 +90,7 @@ Series& series_named(const std::string& title, std::vector<Series>& all) {
 std::vector<PublishedSeries> published_series(const std::filesystem::path& file,
                                               const std::vector<PicturedCase>& cases) {
   std::vector<PublishedSeries> all;
-  for (const Row& row : rows_of(read_input(file))) {
+  for (const Row& row : rows_of(file)) {
     if (!row.contains("kt") || !row.contains("D_xy"))
       throw std::invalid_argument(input_name(file) + " needs the columns kt and D_xy");
     const PublishedPoint point{number_in(row, "kt"), number_in(row, "D_xy"), number_in(row, "theta")};
@@ -100,7 +104,7 @@ std::vector<PublishedSeries> published_series(const std::filesystem::path& file,
 std::vector<PublishedBoundary> published_boundaries(const std::filesystem::path& file, const std::string& x,
                                                     const std::string& y) {
   std::vector<PublishedBoundary> all;
-  for (const Row& row : rows_of(read_input(file))) {
+  for (const Row& row : rows_of(file)) {
     if (!row.contains(x) || !row.contains(y))
       throw std::invalid_argument(input_name(file) + " needs the columns " + x + " and " + y);
     const double at_x = number_in(row, x), at_y = number_in(row, y);

@@ -5,7 +5,6 @@
 
 #include "runner/cli/commands.hpp"
 #include "runner/cli/resolve.hpp"
-#include "runner/render/gnuplot.hpp"
 #include "runner/render/shape_files.hpp"
 #include "runner/study/shown_value.hpp"
 #include "solver/run_directory/durable_file.hpp"
@@ -61,8 +60,6 @@ int save_shapes(const ShapeArguments& arguments) {
   const std::string format = extension_of(arguments.out);
   if (format == "pvd" && arguments.kt)
     throw std::invalid_argument("a collection (.pvd) holds all times: leave out --kt");
-  if (const std::string issue = issue_of_folder(arguments.out); !issue.empty())
-    throw std::invalid_argument(issue);
   Client client(arguments.server);
   const std::string path = path_of_any(client, arguments.id) + "/shapes";
   if (path.starts_with("/v1/studies/"))

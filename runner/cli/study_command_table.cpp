@@ -149,9 +149,6 @@ void add_picture(CLI::App& parser, FigureArguments& arguments) {
       .add_option("ID", arguments.ids,
                   "a study, or one case or several: ids, beginnings of ids, a study's name")
       ->required();
-  parser.add_option("-o,--out", arguments.out, "the picture: FILE.svg, .pdf or .png")
-      ->type_name("FILE")
-      ->required();
   parser
       .add_option(
           "--of", arguments.kind,
@@ -180,7 +177,8 @@ void add_picture(CLI::App& parser, FigureArguments& arguments) {
 Command figure_command() {
   return command<FigureArguments>(
       "figure", "draw a study or cases: phase diagram, histories, path of Q, profiles or trajectories",
-      {add_picture, add_section<FigureArguments>, options::server},
+      {add_picture, options::output_file("the picture: FILE.svg, .pdf or .png"), add_section<FigureArguments>,
+       options::server},
       "The picture is drawn by gnuplot; its script with all data stays beside it, as FILE.gp. In a phase "
       "diagram open "
       "marks\nare not confirmed. A path of Q around 0 is tumbling, one that leaves 0 aside tank-treading. "
@@ -209,7 +207,10 @@ Command history_command() {
   return command<Studies>("history",
                           "the history of a case as CSV: D_xy, theta and the other quantities over time",
                           {add_ids_of_studies_and_cases, options::json, options::server},
-                          "Example:\n  capstan history 123c62c4 > history.csv\n", print_histories);
+                          "Several cases are one table, whose first columns are the cases and the parameters "
+                          "in which they differ.\n"
+                          "Example:\n  capstan history 123c62c4 > history.csv\n",
+                          print_histories);
 }
 
 void add_shape(CLI::App& parser, ShapeArguments& arguments) {
@@ -219,16 +220,13 @@ void add_shape(CLI::App& parser, ShapeArguments& arguments) {
       .add_option("--kt", arguments.kt,
                   "the time; the shape recorded nearest to it is taken, by default the last")
       ->type_name("T");
-  parser
-      .add_option("-o,--out", arguments.out, "FILE.vtp, .stl or .obj: one shape; FILE.pvd: all, for ParaView")
-      ->type_name("FILE")
-      ->required();
 }
 
 Command shape_command() {
   return command<ShapeArguments>(
       "shape", "save a shape of a case as VTK, STL or OBJ, or all of them for ParaView",
-      {add_shape, options::server},
+      {add_shape, options::output_file("FILE.vtp, .stl or .obj: one shape; FILE.pvd: all, for ParaView"),
+       options::server},
       "A .vtp file holds the velocity, the force and the stretch at each vertex, too. FILE.pvd is the index "
       "of "
       "files\nFILE_0000.vtp, FILE_0001.vtp .., one a time. Cases record shapes each outputs.shapes_every.\n"

@@ -59,7 +59,7 @@ ordered_json row_json(const StudyBoundary& boundary, const json& key, const std:
 /// the next row, the second with the second. A row without such a crossing ends the curve.
 class Curves {
  public:
-  /// \param over  the last parameter of the rows: along it neighbours are joined; "" for a single row
+  /// \param over  the parameter of the rows along which neighbours are joined; "" if the rows have none
   explicit Curves(std::string over) : over_(std::move(over)) {}
 
   void add_row(const ordered_json& row) {
@@ -117,6 +117,14 @@ class Curves {
   ordered_json curves_ = ordered_json::array();
 };
 
+/// The last parameter that varies from row to row; the first one, if there is a single row.
+std::string joined_over(const StudyBoundary& boundary, const BoundaryRows& rows) {
+  for (std::size_t i = boundary.rows_of.size(); i-- > 1;)
+    if (std::ranges::any_of(rows, [&](const auto& row) { return row.first[i] != rows.begin()->first[i]; }))
+      return boundary.rows_of[i];
+  return boundary.rows_of.empty() ? "" : boundary.rows_of[0];
+}
+
 int expected_points(const StudyBoundary& boundary, const BoundaryRows& rows) {
   int number = 0;
   for (const auto& [key, points] : rows) number += expected_values(boundary.search, points);
@@ -152,7 +160,7 @@ std::optional<ordered_json> find_boundary(Database& database, const std::string&
   found["searching"] =
       found["points"]["ended"] != found["points"]["asked"] && !is_cancelled(database, study_id);
   found["rows"] = ordered_json::array();
-  Curves curves(boundary->rows_of.empty() ? "" : boundary->rows_of.back());
+  Curves curves(joined_over(*boundary, rows));
   for (const auto& [key, points] : rows) {
     found["rows"].push_back(row_json(*boundary, key, points));
     curves.add_row(found["rows"].back());

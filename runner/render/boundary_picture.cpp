@@ -1,5 +1,7 @@
 #include "runner/render/boundary_picture.hpp"
 
+#include <algorithm>
+
 #include "solver/case/shown_number.hpp"
 
 namespace capstan {
@@ -11,9 +13,18 @@ using nlohmann::ordered_json;
 struct Orientation {
   bool is_along_x = true;   ///< the searched parameter is drawn across
   double from = 0, to = 0;  ///< the searched range
+  const PhaseAxis& rows;    ///< the other axis
 
-  std::string point(double along, double over) const {
-    return is_along_x ? shown(along) + " " + shown(over) : shown(over) + " " + shown(along);
+  std::string point(double along, const ordered_json& row) const {
+    const std::string over = shown(place_of_row(row));
+    return is_along_x ? shown(along) + " " + over : over + " " + shown(along);
+  }
+
+ private:
+  /// The number itself, or the position of a word.
+  double place_of_row(const ordered_json& row) const {
+    if (row.is_number()) return row;
+    return double(std::ranges::find(rows.values, nlohmann::json(row)) - rows.values.begin());
   }
 };
 
@@ -59,6 +70,21 @@ std::string values(const ordered_json& points, const Orientation& orientation) {
   return lines;
 }
 
+/// Whether the curve joins rows along the axis. A single row may have no parameter, and the axis no name.
+bool is_over(const ordered_json& curve, const PhaseAxis& axis) {
+  return curve["over"].is_null() ? axis.parameter.empty() : curve["over"] == axis.parameter;
+}
+
+struct CurveStyle {
+  const char *band, *values;
+};
+
+/// An area and a line; of a curve of one point, which has neither, a wide bar and a mark.
+CurveStyle style_of(const ordered_json& curve) {
+  if (curve["points"].size() == 1) return {"lines lw 10 lc rgb '#C0E69F00'", "points pt 7 ps 0.5"};
+  return {"filledcurves closed fc rgb '#E69F00' fs transparent solid 0.25 noborder", "lines lw 1.5"};
+}
+
 }  // namespace
 
 BoundaryDrawing boundary_drawing(const PhaseDiagram& diagram, const ordered_json& boundary) {
@@ -66,21 +92,21 @@ BoundaryDrawing boundary_drawing(const PhaseDiagram& diagram, const ordered_json
   if (boundary.is_null()) return drawing;
   const std::string along = boundary["along"];
   if (diagram.x.parameter != along && diagram.y.parameter != along) return drawing;
-  const Orientation orientation{diagram.x.parameter == along, boundary["between"][0], boundary["between"][1]};
-  const std::string other = orientation.is_along_x ? diagram.y.parameter : diagram.x.parameter;
+  const bool is_along_x = diagram.x.parameter == along;
+  const Orientation orientation{is_along_x, boundary["between"][0], boundary["between"][1],
+                                is_along_x ? diagram.y : diagram.x};
   std::size_t number = 0;
   for (const ordered_json& curve : boundary["curves"]) {
-    if (curve["over"] != other || !stands_at(diagram, curve)) continue;
+    if (!is_over(curve, orientation.rows) || !stands_at(diagram, curve)) continue;
+    const CurveStyle style = style_of(curve);
     const std::string name = std::to_string(++number), points = values(curve["points"], orientation);
     drawing.blocks += "$band_" + name + " << END\n" + band(curve["points"], orientation) + "END\n";
-    drawing.behind +=
-        "$band_" + name +
-        " with filledcurves closed fc rgb '#E69F00' fs transparent solid 0.25 noborder notitle, ";
+    drawing.behind += "$band_" + name + " with " + style.band + " notitle, ";
     if (points.empty()) continue;
     drawing.blocks += "$boundary_" + name + " << END\n" + points + "END\n";
-    drawing.before += ", $boundary_" + name + " using 1:2:3:4 with " + (orientation.is_along_x ? "x" : "y") +
+    drawing.before += ", $boundary_" + name + " using 1:2:3:4 with " + (is_along_x ? "x" : "y") +
                       "errorbars pt 0 lw 0.8 lc rgb '#000000' notitle, $boundary_" + name +
-                      " using 1:2 with lines lw 1.5 lc rgb '#000000' title '" +
+                      " using 1:2 with " + style.values + " lc rgb '#000000' title '" +
                       (number == 1 ? "boundary" : "") + "'";
   }
   return drawing;

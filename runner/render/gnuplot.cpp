@@ -42,7 +42,9 @@ int run_gnuplot(const fs::path& script) {
   pid_t pid = 0;
   const int error = posix_spawnp(&pid, program.c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::runtime_error("gnuplot is not installed (Debian package gnuplot-nox)");
+  if (error != 0)
+    throw std::runtime_error("gnuplot is not installed (Debian package gnuplot-nox); its script is " +
+                             script.string());
   int status = 0;
   waitpid(pid, &status, 0);
   return status;
@@ -50,17 +52,10 @@ int run_gnuplot(const fs::path& script) {
 
 }  // namespace
 
-std::string issue_of_folder(const fs::path& file) {
-  const fs::path folder = fs::absolute(file).parent_path();
-  return fs::is_directory(folder)
-             ? ""
-             : "cannot write " + file.string() + ": there is no folder " + folder.string();
-}
-
 std::string issue_of_picture_file(const fs::path& file) {
-  if (!terminals().contains(file.extension().string()))
-    return file.string() + " is no picture: its name must end in .svg, .pdf or .png";
-  return issue_of_folder(file);
+  return terminals().contains(file.extension().string())
+             ? ""
+             : file.string() + " is no picture: its name must end in .svg, .pdf or .png";
 }
 
 std::string picture_head(const PictureFormat& format, double height) {

@@ -12,10 +12,7 @@ struct PictureFormat {
   PictureWidth width = PictureWidth::one_column;
 };
 
-/// What is wrong with the folder of a file that is to be written; "" if nothing.
-std::string issue_of_folder(const std::filesystem::path& file);
-
-/// The reason why a picture cannot be written to the file; "" if it can.
+/// The reason why the file cannot be a picture; "" if it can.
 std::string issue_of_picture_file(const std::filesystem::path& file);
 
 /// The first lines of a script: the terminal and the file, fonts, line widths.

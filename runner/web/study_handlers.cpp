@@ -179,7 +179,11 @@ Response get_boundary(Service& service, const httplib::Request& request, const s
   const Readers::Reader database = service.reader();
   if (!find_study(*database, id)) return no_such_study(id);
   const auto boundary = find_boundary(*database, id);
-  if (!boundary) return problem(404, "Not found", "the study seeks no boundary: its document has none");
+  if (!boundary)
+    return problem(404, "Not found",
+                   "the study seeks no boundary; for that a study has \"boundary\": {\"along\": \"Ca\", "
+                   "\"between\": [0.05, 1], \"for\": {\"V\": [1, 2, 4]}} instead of axes. capstan "
+                   "phase-diagram and capstan results show the motions of this one");
   return varies_by_accept(wants_csv(request) ? csv_response(as_csv(boundary_table(*boundary)))
                                              : json_response(200, *boundary));
 }

@@ -125,6 +125,14 @@ test("two points are shown side by side, and the address shows them again", asyn
   await close(other);
 });
 
+test("an address may have the name of a study", async () => {
+  const id = await submit(fake.url, study("form", {Ca: [0.1, 1], V: [1, 10]}));
+  const page = await open(`${fake.url}/#study=form&x=V`);
+  await page.getByRole("button", {name: "V = 10, Ca = 0.1: tumbling, confirmed"}).waitFor();
+  assert.match(page.url(), new RegExp(`study=${id}&x=V`));
+  await close(page);
+});
+
 test("arrow keys move between the points and Enter opens one", async () => {
   const id = await submit(fake.url, study("form", {Ca: [0.1, 1], V: [1, 10]}));
   const page = await open(`${fake.url}/#study=${id}`);
@@ -280,14 +288,6 @@ test("a capsule is drawn, moves with the time and turns by the keys", async () =
   await real.stop();
 });
 
-test("a boundary is found and drawn with its band and limits while the diagram is open", async () => {
-  const real = await serve(CAPSTAN, "boundary");
-  const {axes, ...sought} = study("boundary", {}, {until: {kt: 30}, fidelity: {nodes: 362}});
-  const boundary = {along: "Ca", between: [0.1, 0.5], for: {V: [1, 2]}, tolerance: 0.05, explore: 3};
-  const id = await submit(real.url, {...sought, boundary});
-  const page = await open(`${real.url}/#study=${id}`);
-  await page.getByText(/^Found\. V = 1: Ca = 0\.1\d+ \(.*V = 2: Ca = 0\.2\d+/).waitFor();
-  const {curves: [{points}]} = await (await fetch(`${real.url}/v1/studies/${id}/boundary`)).json();
 test("a case without shapes is computed again with them, and shown in its place", async () => {
   const real = await serve(CAPSTAN, "shapes");
   const id = await submit(real.url, study("plain", {Ca: [0.25]}, {V: 4, until: {kt: 2}, fidelity: {nodes: 162}, outputs: {shapes_every: 0}}));
@@ -306,11 +306,33 @@ test("a case without shapes is computed again with them, and shown in its place"
   await real.stop();
 });
 
+test("a boundary is found and drawn with its band and limits while the diagram is open", async () => {
+  const real = await serve(CAPSTAN, "boundary");
+  const {axes, ...sought} = study("boundary", {}, {until: {kt: 30}, fidelity: {nodes: 362}});
+  const boundary = {along: "Ca", between: [0.1, 0.5], for: {V: [1, 2]}, tolerance: 0.05, explore: 3};
+  const id = await submit(real.url, {...sought, boundary});
+  const page = await open(`${real.url}/#study=${id}`);
+  await page.getByText(/^Found\. V = 1: Ca = 0\.1\d+ \(.*V = 2: Ca = 0\.2\d+/).waitFor();
+  const {curves: [{points}]} = await (await fetch(`${real.url}/v1/studies/${id}/boundary`)).json();
   assert.equal(points.length, 2);
   const corners = async (name) => (await page.locator(`svg path.${name}`).getAttribute("d")).match(/[ML]/g).length;
   assert.equal(await corners("boundary"), 2);
   assert.equal(await corners("bounds"), 4);
   assert.equal(await corners("band"), 4);
+  await close(page);
+  await real.stop();
+});
+
+test("a boundary of one row is drawn as a dot with its bar", async () => {
+  const real = await serve(CAPSTAN, "row");
+  const {axes, ...sought} = study("row", {}, {until: {kt: 30}, fidelity: {nodes: 362}});
+  const boundary = {along: "Ca", between: [0.1, 0.5], for: {V: [2]}, tolerance: 0.05, explore: 3};
+  const id = await submit(real.url, {...sought, boundary});
+  const page = await open(`${real.url}/#study=${id}`);
+  await page.getByText(/^Found\. V = 2: Ca = 0\.\d+/).waitFor();
+  const boundary_of = (name) => page.locator(`svg path.${name}`).getAttribute("d");
+  assert.match(await boundary_of("boundary.single"), /^M[\d. ]+h0$/);
+  assert.equal((await boundary_of("bounds")).match(/[ML]/g).length, 2);
   await close(page);
   await real.stop();
 });

@@ -272,6 +272,33 @@ TEST_F(ServedCommandLineTest, ResultsComeAsTableCsvAndJson) {
   EXPECT_EQ(nlohmann::json::parse(ask("results " + id + " --format json").output)["cases"].size(), 2u);
 }
 
+TEST_F(ServedCommandLineTest, HistoriesOfSeveralCasesBeginWithWhatDistinguishesThem) {
+  const std::string id = submit_and_wait({{"Ca", {0.25, 0.75}}});
+  std::string ids;
+  const auto results = nlohmann::json::parse(ask("results " + id + " --json").output);
+  for (const auto& shown : results["cases"]) ids += " " + shown["id"].get<std::string>();
+  const std::string table = ask("history" + ids).output;
+  EXPECT_THAT(table, StartsWith("case,Ca,kt,D_xy,"));
+  for (const char* value : {"0.25", "0.75"})
+    EXPECT_THAT(table, ContainsRegex(std::string("\n[0-9a-f]+,") + value + ","));
+  EXPECT_THAT(ask("history" + ids.substr(0, 17)).output, StartsWith("kt,D_xy,"));
+}
+
+TEST_F(ServedCommandLineTest, StudyWithoutABoundaryIsAnsweredWithWhatOneNeeds) {
+  const CommandResult refused = ask("boundary " + submit_and_wait({{"Ca", {0.25}}}));
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_THAT(refused.errors, HasSubstr("\"boundary\": {\"along\""));
+  EXPECT_THAT(refused.errors, HasSubstr("capstan results"));
+}
+
+TEST_F(ServedCommandLineTest, FileInAMissingFolderIsRefusedBeforeAnythingIsAsked) {
+  for (const char* command : {"figure nobody -o none/a.svg", "shape nobody -o none/a.vtp"}) {
+    const CommandResult refused = ask(command);
+    EXPECT_EQ(refused.exit_code, 2) << command;
+    EXPECT_THAT(refused.errors, HasSubstr("there is no folder"));
+  }
+}
+
 TEST_F(ServedCommandLineTest, PhaseDiagramOfThreeAxesFixesOne) {
   const std::string id = submit_and_wait({{"Ca", {0.25, 0.75}}, {"V", {2, 4}}, {"E_b", {0, 0.015}}});
   const CommandResult refused = ask("phase-diagram " + id);

@@ -2,15 +2,20 @@
 import {element} from "./elements.js";
 import {value_words} from "./words.js";
 
-/// Axes with several values.
-const long_axes = (study) => study.axes.filter((axis) => axis.values.length > 1);
+/// Axes with several values; of a boundary with a single row, the searched one and that of the row.
+function drawn_axes(study) {
+  const axes = study.axes.filter((axis) => axis.values.length > 1);
+  if (axes.length > 1 || !study.boundary) return axes;
+  const is_searched = ({parameter}) => parameter === study.boundary.along;
+  return [study.axes.find(is_searched), study.axes.find((axis) => !is_searched(axis))].filter((axis) => axis);
+}
 
 /// True if there are two axes to draw over; else the study is shown as a list.
-export const has_diagram = (study) => long_axes(study).length >= 2;
+export const has_diagram = (study) => drawn_axes(study).length >= 2;
 
 /// The axes that the address names, and the first ones for all that it leaves out: {x, y, at: {E_b: 0.015}}.
 export function axes_of(study, link) {
-  const axes = long_axes(study);
+  const axes = drawn_axes(study);
   const named = (name) => axes.find((axis) => axis.parameter === name);
   const x = named(link.x) ?? axes.find((axis) => axis.parameter !== link.y);
   const y = named(link.y === x.parameter ? null : link.y) ?? axes.find((axis) => axis !== x);
@@ -36,7 +41,7 @@ function menu(label, options, chosen, change) {
 
 /// Menus of the axes; none for a study with two axes. \param change(link)  called with what was chosen
 export function axis_menus(study, chosen, change) {
-  const axes = long_axes(study);
+  const axes = drawn_axes(study);
   if (axes.length < 3) return [];
   const names = axes.map((axis) => axis.parameter);
   const changed = (part) => {

@@ -23,7 +23,7 @@ export function boundary_elements(boundary, diagram, scales) {
     const places = [along_scale.place_of(value), over_scale.place_of(row)];
     return (along_x ? places : places.reverse()).map((place) => place.toFixed(2)).join(" ");
   };
-  const line = (points) => (points.length ? `M${points.join("L")}` : "");
+  const line = (points) => (points.length ? `M${points.join("L")}${points.length === 1 ? "h0" : ""}` : "");
   return boundary.curves.filter((curve) => curve.over === over && stands_at(curve, diagram.at)).flatMap(({points}) => {
     const bands = points.filter(({band}) => band).map((p) => [sides(...p.band, between), p.over]);
     const rim = [...bands.map(([[low], row]) => point(low, row)), ...bands.reverse().map(([[, high], row]) => point(high, row))];
@@ -31,10 +31,11 @@ export function boundary_elements(boundary, diagram, scales) {
       const [low, high] = sides(p.low, p.high, between);
       return line([point(low, p.over), point(high, p.over)]);
     });
+    const single = points.length === 1 ? " single" : "";  // a bar and a dot instead of an area and a line
     return [
-      svg_element("path", {class: "band", d: `${line(rim)}Z`}),
+      svg_element("path", {class: `band${single}`, d: `${line(rim)}Z`}),
       svg_element("path", {class: "bounds", d: bars.join("")}),
-      svg_element("path", {class: "boundary", d: line(points.filter(({value}) => value !== null).map((p) => point(p.value, p.over)))}),
+      svg_element("path", {class: `boundary${single}`, d: line(points.filter(({value}) => value !== null).map((p) => point(p.value, p.over)))}),
     ];
   });
 }

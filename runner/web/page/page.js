@@ -32,9 +32,19 @@ async function show_study(link) {
   await view.show(study, link);
 }
 
+/// Links may name a study by its name or the beginning of its id, as the commands do.
+async function id_of_study(word) {
+  const {studies} = await get(`/v1/ids/${encodeURIComponent(word)}`);
+  if (studies.length > 1) throw new Refusal(300, {detail: `"${word}" may be any of these studies: ${studies.join(", ")}`});
+  return studies[0] ?? word;
+}
+
 async function look() {
   const {studies} = await get("/v1/studies?limit=100");
   if (!read_link().study && studies.length > 0) history.replaceState(null, "", link_to({study: studies[0].id}));
+  const named = read_link();
+  if (named.study && named.study !== view?.id)
+    history.replaceState(null, "", link_to({...named, study: await id_of_study(named.study)}));
   const link = read_link();
   list.show(studies, link.study);
   await show_study(link);

@@ -53,6 +53,7 @@ export class StudyView {
     this.progress.show(study);
     this.actions.show(study);
     await (has_diagram(study) ? this.show_diagram(study, link) : this.show_list(study, link));
+    await this.show_boundary(study);
     set_text(this.hint, "Choose a point to see why it has its label; with Shift, it is shown beside those that are open. " +
       (has_diagram(study) ? "A click between the points computes one there; a rectangle drawn with the mouse is magnified." : ""));
     await this.opened.show(link.cases, study.axes.filter(({values}) => values.length > 1).map((axis) => axis.parameter));
@@ -73,13 +74,12 @@ export class StudyView {
     this.text = text;
     this.path = path;
     this.points.show(this.diagram, link.cases, ranges_of(link));
-    await this.show_boundary(study);
   }
 
   async show_boundary(study) {
     if (!study.links.boundary) return;
     const boundary = await get(study.links.boundary);
-    this.points.show_boundary(boundary);
+    if (has_diagram(study)) this.points.show_boundary(boundary);
     set_text(this.boundary, boundary_words(boundary));
   }
 

@@ -34,6 +34,11 @@ TEST_F(PublishedSeriesTest, BoundariesHaveThePointsWithNumbersOnBothAxes) {
   EXPECT_THROW(published_boundaries(file, "Ca", "E_b"), std::invalid_argument);
 }
 
+TEST_F(PublishedSeriesTest, FileWithoutPointsIsRefused) {
+  for (const char* text : {"", "# comment\n", "kt,D_xy\n", "paper,kt,D_xy"})
+    EXPECT_THROW(series_of(text), std::invalid_argument) << text;
+}
+
 TEST_F(PublishedSeriesTest, IsOneSeriesForEachPaper) {
   const auto series =
       series_of("# comment\npaper,Ca,kt,D_xy\nA 1998,0.05,1,0.23\nB 2008,0.05,1,0.24\nA 1998,0.1,2,0.4\n");

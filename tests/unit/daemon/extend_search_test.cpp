@@ -105,6 +105,19 @@ TEST_F(ExtendSearchTest, StudyIsDoneWhenTheBoundaryIsLocatedInEveryRow) {
   EXPECT_EQ(found["curves"][0]["points"].size(), 2u);
 }
 
+TEST_F(ExtendSearchTest, CrossingsAreJoinedAlongTheLastParameterThatVaries) {
+  const auto joined_over = [&](const char* name, const json& rows) {
+    json document = {{"name", name}, {"base", {{"shape", "biconcave"}, {"fidelity", "fast"}}}};
+    document["boundary"] = {{"along", "Ca"}, {"between", {0.05, 1}}, {"for", rows}};
+    const std::string id = service_->submit(parse_study(document).value.value()).study_id;
+    work(1);
+    return boundary(id)["curves"][0]["over"];
+  };
+  EXPECT_EQ(joined_over("a", {{"V", {2, 4}}, {"E_b", {0.015}}}), "V");
+  EXPECT_EQ(joined_over("b", {{"V", {2}}}), "V") << "a single row";
+  EXPECT_TRUE(joined_over("c", json::object()).is_null()) << "a single row without a parameter";
+}
+
 TEST_F(ExtendSearchTest, SameCasesFollowWhateverTheOrderInWhichTheyEnd) {
   const std::vector<std::string> cases_of_first = cases_of_removed_study();
   const std::string second = service_->submit(sought("two")).study_id;

@@ -76,6 +76,22 @@ TEST(PhaseDiagramPicture, DrawsABoundaryWithItsBandUpToTheEndOfTheRange) {
   EXPECT_THAT(script, HasSubstr("$boundary_1 << END\n0.2 2 0.19 1\nEND\n"));
 }
 
+TEST(PhaseDiagramPicture, DrawsABoundaryOfOneRowAsAPointWithItsBarAndBand) {
+  PhaseDiagram row = small_diagram();
+  row.y.values = {2};
+  row.rows.pop_back();
+  nlohmann::ordered_json boundary = kBoundary;
+  boundary["curves"][0]["points"].erase(1);
+  const std::string with_parameter = phase_diagram_script(row, boundary, {}, {"fig.svg"});
+  EXPECT_THAT(with_parameter, HasSubstr("$band_1 << END\n0.18 2\n0.22 2\nEND\n"));
+  EXPECT_THAT(with_parameter, HasSubstr("plot $band_1 with lines"));
+  EXPECT_THAT(with_parameter, HasSubstr("$boundary_1 using 1:2 with points"));
+  row.y = {"", {nullptr}};
+  boundary["curves"][0]["over"] = boundary["curves"][0]["points"][0]["over"] = nullptr;
+  EXPECT_THAT(phase_diagram_script(row, boundary, {}, {"fig.svg"}),
+              HasSubstr("$boundary_1 << END\n0.2 0 0.19 1\nEND\n"));
+}
+
 TEST(PhaseDiagramPicture, DrawsNoBoundaryOverOtherAxes) {
   PhaseDiagram other = small_diagram();
   other.y.parameter = "E_b";
@@ -139,7 +155,6 @@ TEST(TrajectoryPicture, HasAnArrowOfTheVelocityAtEachPoint) {
 TEST(Picture, FileMustHaveAnExtensionOfAPicture) {
   EXPECT_EQ(issue_of_picture_file("b.pdf"), "");
   EXPECT_THAT(issue_of_picture_file("b.jpg"), HasSubstr("must end in .svg, .pdf or .png"));
-  EXPECT_THAT(issue_of_picture_file("none/b.pdf"), HasSubstr("there is no folder"));
 }
 
 TEST(Picture, IsDrawnInEachFormatAndKeepsItsScript) {
