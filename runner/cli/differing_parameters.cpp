@@ -10,7 +10,8 @@ std::vector<std::string> differing_parameters(const std::vector<ordered_json>& c
   std::vector<std::string> paths;
   for (const ordered_json& parameters : cases) {
     const ordered_json flat = parameters.flatten();
-    for (const auto& [path, text] : flat.items()) {
+    for (const auto& entry : flat.items()) {
+      const std::string& path = entry.key();
       const ordered_json value = parameter_at(parameters, path);
       const auto differs = [&](const ordered_json& other) { return parameter_at(other, path) != value; };
       if (std::ranges::find(paths, path) == paths.end() && std::ranges::any_of(cases, differs))

@@ -22,7 +22,7 @@ struct FluidChoice {
 FluidChoice choose_fluid(double Re, const nlohmann::json& fidelity);
 
 /// The lattice model for a Reynolds number: quasisteady below 0.1, else unsteady. Without the time derivative
-/// Q = D_xy (cos 2 theta, sin 2 theta) is wrong by up to 0.09 Re (studies/fig10). At Re = 0.1 this is the
+/// Q = D_xy (cos 2 theta, sin 2 theta) is wrong by up to 0.07 Re (studies/fig10). At Re = 0.1 this is the
 /// error of the lattice at fidelity fast.
 Fluid lattice_for(double Re);
 
