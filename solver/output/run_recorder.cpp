@@ -12,22 +12,6 @@
 #include "solver/run_directory/history_line.hpp"
 
 namespace capstan {
-
-double steady_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-RunRecorder::RunRecorder(std::filesystem::path directory, const Case& c, Choices choices,
-                         std::function<bool()> interrupted, SecondsClock clock)
-    : directory_(std::move(directory)),
-      case_(c),
-      choices_(std::move(choices)),
-      interrupted_(std::move(interrupted)),
-      clock_(std::move(clock)),
-      started_(clock_()) {
-  std::filesystem::create_directories(directory_.path());
-}
-
 namespace {
 
 void put_end(StateArchive& state, const Until& until) {
@@ -47,9 +31,26 @@ bool passes(const Until& until, const StateArchive& state) {
 
 }  // namespace
 
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+RunRecorder::RunRecorder(std::filesystem::path directory, const Case& c, Choices choices,
+                         std::function<bool()> interrupted, SecondsClock clock)
+    : directory_(std::move(directory)),
+      case_(c),
+      choices_(std::move(choices)),
+      interrupted_(std::move(interrupted)),
+      clock_(std::move(clock)),
+      started_(clock_()) {
+  std::filesystem::create_directories(directory_.path());
+}
+
 void RunRecorder::resume(Simulation& simulation, const std::function<void(const std::string&)>& log) {
   const auto checkpoint = read_newest_checkpoint(directory_.path(), steps_id(case_), log);
-  if (checkpoint && passes(case_.until, *checkpoint)) {
+  if (checkpoint && !passes(case_.until, *checkpoint)) {
+    log("the checkpoint is of a run with another end, which this run does not pass: it starts anew");
+  } else if (checkpoint) {
     simulation.load(*checkpoint);
     seconds_before_ = checkpoint->number("seconds");
     log("resumed at step " + std::to_string(simulation.statistics().steps) +
