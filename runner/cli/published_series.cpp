@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "runner/render/comma_separated.hpp"
 #include "runner/study/input_file.hpp"
 #include "runner/study/shown_value.hpp"
 
@@ -16,16 +17,6 @@ namespace {
 
 using Row = std::map<std::string, std::string>;
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char c : line)
-    if (c == ',')
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  return cells;
-}
-
 /// The lines below the header.
 std::vector<Row> rows_of(const std::filesystem::path& file) {
   std::istringstream lines(read_input(file));
@@ -33,7 +24,7 @@ std::vector<Row> rows_of(const std::filesystem::path& file) {
   std::vector<Row> rows;
   for (std::string line; std::getline(lines, line);) {
     if (line.empty() || line.starts_with("#")) continue;
-    const std::vector<std::string> cells = cells_of(line);
+    const std::vector<std::string> cells = comma_separated(line);
     if (columns.empty()) {
       columns = cells;
       continue;

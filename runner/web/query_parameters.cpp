@@ -7,6 +7,7 @@
 #include "runner/queries/queries.hpp"
 #include "runner/queries/typed_value.hpp"
 #include "runner/queue/case_state.hpp"
+#include "runner/render/comma_separated.hpp"
 #include "runner/study/axis.hpp"
 #include "runner/web/listed.hpp"
 #include "solver/case/parameters.hpp"
@@ -70,7 +71,7 @@ std::string issue_of_axis(const std::string& value) { return issue_of_word(value
 std::string issue_of_columns(const std::string& value) {
   const std::vector<std::string> columns = columns_on_grid();
   const std::vector<std::string_view> known(columns.begin(), columns.end());
-  for (const std::string& name : words_of_list(value))
+  for (const std::string& name : comma_separated(value))
     if (const std::string issue = issue_of_word(name, known); !issue.empty()) return "each " + issue;
   return "";
 }

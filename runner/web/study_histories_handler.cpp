@@ -3,11 +3,11 @@
 
 #include "runner/queries/queries.hpp"
 #include "runner/queries/typed_value.hpp"
+#include "runner/render/comma_separated.hpp"
 #include "runner/render/result_tables.hpp"
 #include "runner/study/shown_value.hpp"
 #include "runner/web/accept_header.hpp"
 #include "runner/web/handlers.hpp"
-#include "runner/web/listed.hpp"
 #include "runner/web/page_query.hpp"
 
 namespace capstan {
@@ -37,7 +37,7 @@ AskedHistories asked_histories(Database& database, const std::string& id, const 
   std::erase_if(filter, [](const auto& each) { return each.first == "every" || each.first == "columns"; });
   const std::string columns = request.get_param_value("columns");
   return {time_grid(database, id, number_in<double>(request.get_param_value("every"))),
-          columns.empty() ? columns_on_grid() : words_of_list(columns), std::move(filter)};
+          columns.empty() ? columns_on_grid() : comma_separated(columns), std::move(filter)};
 }
 
 Response too_long(const std::string& detail) {

@@ -4,12 +4,14 @@
 #include <algorithm>
 
 #include "solver/simulation/simulation.hpp"
+#include "tests/support/every_model.hpp"
 #include "tests/support/memory_output.hpp"
 #include "tests/support/parsed_case.hpp"
 
 namespace capstan {
 namespace {
 
+using testing::case_of_model;
 using testing::MemoryOutput;
 using testing::parsed_case;
 
@@ -124,18 +126,10 @@ TEST(Resume, ALaterEndHasTheSameHistory) {
   EXPECT_EQ(resumed.history(), uninterrupted.history());
 }
 
-struct Prolonged {
-  const char* name;
-  const char* text;  ///< a case, without its end and outputs
-};
-
-class ProlongedRun : public ::testing::TestWithParam<Prolonged> {
+class ProlongedRun : public ::testing::TestWithParam<testing::Model> {
  protected:
   static Case case_to(double kt) {
-    Case c = parsed_case(std::string(R"({"Ca": 0.1, "V": 2, )") + GetParam().text + "}");
-    c.until.kt = kt;
-    c.outputs = {.history_every = 0.03, .shapes_every = 0.05};
-    return c;
+    return case_of_model(GetParam(), kt, {.history_every = 0.03, .shapes_every = 0.05});
   }
 };
 
@@ -164,24 +158,9 @@ TEST_P(ProlongedRun, BeginsWithTheHistoryOfTheShorterRun) {
   EXPECT_TRUE(std::equal(first.records.begin(), first.records.end(), whole.records.begin()));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Models, ProlongedRun,
-    ::testing::Values(
-        Prolonged{"StokesRkc2", R"("fluid": "stokes", "fidelity": {"nodes": 162})"},
-        Prolonged{"StokesAb2",
-                  R"("fluid": "stokes", "fidelity": {"nodes": 162, "stepper": "ab2", "kdt": 0.02})"},
-        Prolonged{"LatticeAb2",
-                  R"("fluid": "quasisteady", "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.03})"},
-        Prolonged{"LatticeRkc2",
-                  R"("fluid": "quasisteady", "fidelity": {"dx": 0.4, "nodes": 162, "stepper": "rkc2"})"},
-        Prolonged{"Unsteady",
-                  R"("fluid": "unsteady", "Re": 1, "fidelity": {"dx": 0.4, "nodes": 162, "kdt": 0.03})"},
-        Prolonged{"Transient", R"("fluid": "transient", "fidelity": {"dx": 0.4, "box": 6.4, "nodes": 162})"},
-        Prolonged{"Paper", R"("fluid": "quasisteady",
-                         "fidelity": {"preset": "paper", "dx": 0.4, "box": 6.4, "nodes": 162, "kdt": 0.04})"}),
-    [](const auto& model) { return std::string(model.param.name); });
+INSTANTIATE_TEST_SUITE_P(Models, ProlongedRun, testing::kEveryModel, testing::name_of_model);
 
-TEST(ProlongedRun, OfACaseThatEndedWithItsLabelEqualsTheLongerRun) {
+TEST(ProlongedCase, ThatEndedWithItsLabelEqualsTheLongerRun) {
   const auto case_to = [](double kt, bool classified) {
     Case c = parsed_case(R"({"Ca": 0.05, "fluid": "stokes", "until": {"kt": 30, "classified": true},
       "fidelity": {"nodes": 162}})");
