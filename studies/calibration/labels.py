@@ -55,6 +55,8 @@ def main():
     print("| label at `fast` | the same with 2562 nodes | another |\n|---|---|---|")
     for confirmed, words in ((True, "confirmed"), (False, "not confirmed")):
         print(f"| {words} | {counts[confirmed, True]} | {counts[confirmed, False]} |")
+    if all(fast["motion"] == finer["motion"] for _, fast, finer in rows):
+        return
     print("\n| Ca | V | `fast` | 2562 nodes | confirmed | margin | stated error of Q |\n|---|---|---|---|---|---|---|")
     for case, fast, finer in rows:
         if fast["motion"] != finer["motion"]:
