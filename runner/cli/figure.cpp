@@ -133,7 +133,9 @@ int print_histories(const StudyArguments& arguments) {
   Client client(arguments.server);
   const std::vector<std::string> paths = resolve_all(client, arguments.ids, path_of_any);
   if (std::ranges::any_of(paths, is_study))
-    throw std::invalid_argument("a history is of a case; capstan results lists those of a study");
+    throw std::invalid_argument(
+        "a history is of a case; capstan results lists those of a study, and "
+        "GET /v1/studies/{id}/histories has all of them on one time grid");
   if (paths.size() > 1 && !arguments.json) {
     std::cout << histories_as_csv(client, paths);
     return kExitDone;

@@ -208,7 +208,7 @@ Command history_command() {
                           "the history of a case as CSV: D_xy, theta and the other quantities over time",
                           {add_ids_of_studies_and_cases, options::json, options::server},
                           "Several cases are one table, whose first columns are the cases and the parameters "
-                          "in which they differ.\n"
+                          "in which they differ. Of all cases of a study: GET /v1/studies/{id}/histories.\n"
                           "Example:\n  capstan history 123c62c4 > history.csv\n",
                           print_histories);
 }

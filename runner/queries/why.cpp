@@ -1,6 +1,7 @@
 #include "runner/queries/why.hpp"
 
 #include "runner/store/timestamp.hpp"
+#include "solver/case/shown_number.hpp"
 
 namespace capstan {
 namespace {
@@ -56,6 +57,26 @@ ordered_json why_running(Database& database, const std::string& case_id, const R
           timestamp(row.integer(1)) + ", attempt " + std::to_string(row.integer(0)) + ", " + place.details};
 }
 
+/// Why the label of an answer is not confirmed; empty if it is.
+/// \param row  confirmed, whether the companion's label agrees, error of Q and margin in the columns 5 to 8
+std::string why_not_confirmed(const Statement& row) {
+  if (row.is_null(5) || row.integer(5) != 0 || row.text(3) == "undecided") return "";
+  if (row.is_null(7)) return "not confirmed: its error is unknown";
+  if (row.integer(6) == 0) return "not confirmed: the run at the coarser resolution has another label";
+  return "not confirmed: the estimated error of Q, " + row.text(7) +
+         ", is not below the margin of the label, " + rounded(row.real(8)) +
+         "; a finer fidelity may confirm it";
+}
+
+/// Of a case that has ended.
+ordered_json why_ended(const Statement& row) {
+  if (!row.text(1).empty()) return {row.text(1)};
+  if (row.is_null(3)) return {"it has an answer"};
+  ordered_json reasons = {row.text(3) + ": " + row.text(4)};
+  if (const std::string reason = why_not_confirmed(row); !reason.empty()) reasons.push_back(reason);
+  return reasons;
+}
+
 }  // namespace
 
 void add_place(Database& database, const RunPlaces& places, ordered_json& shown) {
@@ -71,21 +92,19 @@ void add_places(Database& database, const RunPlaces& places, ordered_json& cases
 
 std::optional<ordered_json> why(Database& database, const std::string& case_id, const RunPlaces& places) {
   Statement row = database.query(
-      "SELECT state, message, not_before, r.motion, r.document ->> '$.explanation' FROM cases c"
-      " LEFT JOIN results r ON r.case_id = c.id WHERE c.id = ?",
+      "SELECT state, message, not_before, r.motion, r.document ->> '$.explanation', r.document ->> "
+      "'$.confirmed', r.document ->> '$.error.label_agrees', r.document ->> '$.error.Q', r.document ->> "
+      "'$.evidence.margin' FROM cases c LEFT JOIN results r ON r.case_id = c.id WHERE c.id = ?",
       case_id);
   if (!row.step()) return std::nullopt;
   const std::string state = row.text(0);
   ordered_json answer = {{"id", case_id}, {"state", state}};
   if (state == "queued")
     answer["reasons"] = why_queued(database, case_id, row.text(1), row.integer(2), places);
-  if (state == "queued") return answer;
-  if (state == "running")
+  else if (state == "running")
     answer["reasons"] = why_running(database, case_id, places);
   else
-    answer["reasons"] = {!row.text(1).empty() ? row.text(1)
-                         : row.is_null(3)     ? "it has an answer"
-                                              : row.text(3) + ": " + row.text(4)};
+    answer["reasons"] = why_ended(row);
   return answer;
 }
 

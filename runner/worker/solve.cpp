@@ -41,18 +41,17 @@ void print_choices_and_warnings(const ParsedCase& parsed) {
   for (const std::string& warning : case_warnings(*parsed.value)) std::cerr << "warning: " << warning << "\n";
 }
 
-/// Takes over the files of a shorter run. Returns why the case cannot go on from it; "" if it can.
-std::string go_on_from(const RunDirectory& shorter, const RunDirectory& directory, const Case& c) {
+/// Why the case cannot go on from a shorter run; "" if it can.
+std::string obstacle_to(const RunDirectory& shorter, const Case& c) {
   const std::string name = shorter.path().string();
   if (!shorter.result()) return name + " holds no finished run";
   const ParsedCase earlier = read_case(shorter.case_file());
   if (!earlier.value || steps_id(*earlier.value) != steps_id(c))
-    return name + " holds a case with other steps: only the keys of until may differ";
+    return name + " holds another case: only until, companion and outputs.checkpoint_every may differ";
   const double reached = shorter.result()->at("final").at("kt");
   if (!passes_end_of(earlier.value->until, reached, c.until))
     return "the run in " + name + " ended at kt = " + shown(reached) +
            ", which this case does not pass: raise until.kt, or ask for the same until.classified";
-  directory.go_on_from(shorter);
   return "";
 }
 
@@ -69,16 +68,16 @@ int lock_and_run(const std::filesystem::path& case_file, const std::filesystem::
               << ": wait for its end, stop it, or choose another directory\n";
     return kExitError;
   }
+  const std::string obstacle = shorter.empty() ? "" : obstacle_to(RunDirectory(shorter), *parsed.value);
+  if (!obstacle.empty()) {
+    std::cerr << obstacle << "\n";
+    return kExitInvalidInput;
+  }
   if (!claim_directory(directory, *parsed.value)) {
     std::cerr << out.string() << " holds the run of another case: choose another directory\n";
     return kExitInvalidInput;
   }
-  const std::string reason =
-      shorter.empty() ? "" : go_on_from(RunDirectory(shorter), directory, *parsed.value);
-  if (!reason.empty()) {
-    std::cerr << reason << "\n";
-    return kExitInvalidInput;
-  }
+  if (!shorter.empty()) directory.go_on_from(RunDirectory(shorter));
   print_choices_and_warnings(parsed);
   return exit_code_of(run_case(parsed, directory, end_seconds));
 }

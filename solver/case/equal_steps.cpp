@@ -14,7 +14,9 @@ std::string steps_id(const Case& c) {
 }
 
 bool passes_end_of(const Until& earlier, double reached, const Until& later) {
-  return reached <= later.kt && (earlier.classified || !later.classified);
+  if (later.classified && !earlier.classified) return false;
+  const bool differ_in_at_most = later.classified && earlier.kt == later.kt;
+  return reached <= (differ_in_at_most ? later.at_most : later.kt);
 }
 
 }  // namespace capstan

@@ -26,7 +26,7 @@ std::string needed_kt(const MotionFeatures& features) {
 std::string too_short(const MotionFeatures& features) {
   return digits(std::max(0., turns(features.run))) + " half-turns were seen from kt = " + digits(kStart) +
          " on, at least 1 is needed: " + needed_kt(features) +
-         ". The same case with a later until.kt goes on from here.";
+         ". The same case with a later end goes on from here.";
 }
 
 std::string reason_for_transition(const MotionFeatures& features) {

@@ -14,9 +14,10 @@ using std::numbers::pi;
 
 constexpr double kRound = 1e-9;  // below this D_xy the direction of the major axis is rounding noise
 
-/// The angle equal to `principal` up to multiples of `period` that is nearest to `previous`.
+/// The angle equal to `principal` up to multiples of `period` that is nearest to `previous`. Its last bits do
+/// not depend on `previous`.
 double unwrapped(double principal, double previous, double period) {
-  return previous + std::remainder(principal - previous, period);
+  return principal + period * std::round((previous - principal) / period);
 }
 
 double mean(const std::vector<double>& values) {

@@ -46,11 +46,19 @@ RunRecorder::RunRecorder(std::filesystem::path directory, const Case& c, Choices
   std::filesystem::create_directories(directory_.path());
 }
 
+/// Why the run cannot go on from the checkpoint; empty if it can.
+std::string RunRecorder::obstacle_to(const StateArchive& checkpoint) const {
+  if (!passes(case_.until, checkpoint))
+    return "the checkpoint is of a run with another end, which this run does not pass";
+  const auto lost = first_lost_frame(directory_, int(checkpoint.number("frames")));
+  return lost ? lost->string() + " cannot be read" : "";
+}
+
 void RunRecorder::resume(Simulation& simulation, const std::function<void(const std::string&)>& log) {
   const auto checkpoint = read_newest_checkpoint(directory_.path(), steps_id(case_), log);
-  if (checkpoint && !passes(case_.until, *checkpoint)) {
-    log("the checkpoint is of a run with another end, which this run does not pass: it starts anew");
-  } else if (checkpoint) {
+  const std::string obstacle = checkpoint ? obstacle_to(*checkpoint) : "";
+  if (!obstacle.empty()) log(obstacle + ": the run starts anew");
+  if (checkpoint && obstacle.empty()) {
     simulation.load(*checkpoint);
     seconds_before_ = checkpoint->number("seconds");
     log("resumed at step " + std::to_string(simulation.statistics().steps) +

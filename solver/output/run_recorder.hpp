@@ -28,7 +28,8 @@ class RunRecorder : public RunOutput {
               std::function<bool()> interrupted, SecondsClock clock = steady_seconds);
 
   /// Restores the newest valid checkpoint, if there is one: of this run, or of a shorter one with equal steps
-  /// that this run passes. Calls `log` with one sentence for the checkpoint
+  /// that this run passes. Starts
+  /// anew if a shape before the checkpoint is lost. Calls `log` with one sentence for the checkpoint
   /// that is used, and one for each that cannot be used.
   void resume(Simulation& simulation, const std::function<void(const std::string&)>& log);
 
@@ -48,6 +49,7 @@ class RunRecorder : public RunOutput {
   nlohmann::ordered_json finish(const Simulation& simulation, const Outcome& outcome);
 
  private:
+  std::string obstacle_to(const StateArchive& checkpoint) const;
   void start_history(const History& history);
   StateArchive completed(StateArchive state) const;
   double seconds_here() const { return clock_() - started_; }

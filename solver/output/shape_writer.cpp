@@ -17,6 +17,15 @@ void write_rows(Hdf5Writer& file, const std::string& name, const Matrix& matrix)
 
 }  // namespace
 
+std::optional<fs::path> first_lost_frame(const RunDirectory& directory, int count) {
+  for (int frame = 0; frame < count; ++frame) try {
+      Hdf5Reader(directory.frame_file(frame)).read("kt");
+    } catch (const std::runtime_error&) {
+      return directory.frame_file(frame);
+    }
+  return std::nullopt;
+}
+
 ShapeWriter::ShapeWriter(fs::path directory, const Faces& faces, InPlaneElasticity membrane)
     : directory_(std::move(directory)), membrane_(std::move(membrane)), face_count_(faces.cols()) {
   fs::create_directories(directory_.shapes_directory());
@@ -46,10 +55,8 @@ void ShapeWriter::write(double kt, int frame, const Points& positions, const Poi
 
 /// Adds the frames of earlier processes of this run to the index.
 void ShapeWriter::take_up_frames_before(int frame) {
-  for (int earlier = 0; earlier < frame; ++earlier) {
-    const fs::path path = directory_.frame_file(earlier);
-    if (fs::exists(path)) times_[earlier] = Hdf5Reader(path).read("kt").at(0);
-  }
+  for (int earlier = 0; earlier < frame; ++earlier)
+    times_[earlier] = Hdf5Reader(directory_.frame_file(earlier)).read("kt").at(0);
 }
 
 void ShapeWriter::write_index() const {

@@ -6,11 +6,15 @@
 // replaced as a whole, in a time that grows with the number of frames: the caller decides when.
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "solver/membrane/in_plane.hpp"
 #include "solver/run_directory/run_directory.hpp"
 
 namespace capstan {
+
+/// The first of the frames 0 to count - 1 that is missing or cannot be read; nothing if all can be.
+std::optional<std::filesystem::path> first_lost_frame(const RunDirectory& directory, int count);
 
 class ShapeWriter {
  public:

@@ -46,16 +46,17 @@ void RunDirectory::prepare(const std::string& case_document) const {
   if (read_from(present) != case_document + "\n") write_atomically(case_file(), case_document + "\n");
 }
 
+/// The checkpoints come last: a process that is killed before leaves none, so that this is done again.
 void RunDirectory::go_on_from(const RunDirectory& earlier) const {
   std::filesystem::create_directories(path_);
+  if (std::filesystem::exists(earlier.rungs_directory()))
+    for (const auto& rung : std::filesystem::directory_iterator(earlier.rungs_directory()))
+      RunDirectory(rungs_directory() / rung.path().filename()).go_on_from(RunDirectory(rung.path()));
+  if (std::filesystem::exists(earlier.shapes_directory()))
+    link_files(earlier.shapes_directory(), shapes_directory());
   const auto from = earlier.checkpoint_paths(), to = checkpoint_paths();
   for (std::size_t i = 0; i < from.size(); ++i)
     if (std::filesystem::exists(from[i])) link_file(from[i], to[i]);
-  if (std::filesystem::exists(earlier.shapes_directory()))
-    link_files(earlier.shapes_directory(), shapes_directory());
-  if (!std::filesystem::exists(earlier.rungs_directory())) return;
-  for (const auto& rung : std::filesystem::directory_iterator(earlier.rungs_directory()))
-    RunDirectory(rungs_directory() / rung.path().filename()).go_on_from(RunDirectory(rung.path()));
 }
 
 void RunDirectory::begin_attempt(const std::string& token) const {

@@ -8,6 +8,7 @@ import {SubmitForm} from "./submit_form.js";
 
 const kInterval = 1000;  // milliseconds between two looks at the server
 const kShare = 9;        // times as long as a look takes: large studies must not keep server and browser busy
+const kLongestPause = 5000;
 
 const notice = document.getElementById("notice");
 const studies_place = document.getElementById("studies");
@@ -82,5 +83,5 @@ for (;;) {
   const begin = performance.now();
   is_awake = false;
   await look().then(() => set_text(notice, ""), (error) => set_text(notice, problem_words(error)));
-  await pause(Math.max(kInterval, kShare * (performance.now() - begin)));
+  await pause(Math.min(Math.max(kInterval, kShare * (performance.now() - begin)), kLongestPause));
 }

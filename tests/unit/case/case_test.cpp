@@ -400,6 +400,8 @@ TEST(Until, PassesEarlierEndsUnlessALabelMightHaveEndedItBefore) {
   EXPECT_TRUE(passes_end_of({.kt = 50, .classified = true, .at_most = 150}, 7, classified));
   EXPECT_TRUE(passes_end_of({.kt = 50, .classified = true, .at_most = 150}, 7, plain));
   EXPECT_FALSE(passes_end_of({.kt = 10, .classified = true, .at_most = 30}, 30, classified));
+  EXPECT_TRUE(passes_end_of({.kt = 20, .classified = true, .at_most = 40}, 40, classified));
+  EXPECT_FALSE(passes_end_of({.kt = 20, .classified = true, .at_most = 80}, 80, classified));
 }
 
 TEST(CaseId, IsSixteenHexadecimalDigits) {

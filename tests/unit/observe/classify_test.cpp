@@ -307,7 +307,7 @@ TEST(Explanation, OfUndecidedGivesTheNumberOfHalfTurnsSeenAndNeeded) {
             "later until.kt.");
   EXPECT_EQ(sphere_to(6),
             "0.48 half-turns were seen from kt = 3 on, at least 1 is needed: at this rate the first one "
-            "ends at about kt = 10. The same case with a later until.kt goes on from here.");
+            "ends at about kt = 10. The same case with a later end goes on from here.");
   EXPECT_THAT(classify({}).explanation, StartsWith("0 half-turns were seen"));
 }
 

@@ -61,6 +61,15 @@ TEST(MotionTracker, ASphereStartsWithThetaOfQuarterPi) {
   EXPECT_NEAR(sample.psi, 0, 1e-14);
 }
 
+TEST(MotionTracker, SeesTheSameBitsWhicheverSmallTurnWasObservedBefore) {
+  const auto positions = [](double kt) { return Points(turn(-0.17 * kt) * tank_treading(-0.23 * kt)); };
+  MotionTracker often(sphere().directions, sphere().mesh.faces), seldom(often);
+  for (int step = 0; step < 200; ++step) {
+    EXPECT_EQ(often.observe(step, positions(step)), seldom.look(step, positions(step)));
+    if (step % 5 == 0) seldom.observe(step, positions(step));
+  }
+}
+
 TEST(MotionTracker, RestoredFromAnArchiveEqualsTheUninterruptedOne) {
   const auto positions = [](int step) { return Points(turn(-0.17 * step) * tank_treading(-0.23 * step)); };
   MotionTracker uninterrupted(sphere().directions, sphere().mesh.faces);

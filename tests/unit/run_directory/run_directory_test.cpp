@@ -123,5 +123,21 @@ TEST_F(RunDirectoryTest, LogTailHoldsTheLastWholeLines) {
   EXPECT_EQ(directory_.log_tail(10), "third");
 }
 
+TEST_F(RunDirectoryTest, GoesOnFromTheFilesOfAnotherAndKeepsItsOwn) {
+  const RunDirectory earlier(parent_.path() / "earlier");
+  fs::create_directories(earlier.shapes_directory());
+  fs::create_directories(earlier.rung(42).path());
+  overwrite(earlier.checkpoint_paths()[1], "its state");
+  overwrite(earlier.frame_file(0), "its shape");
+  overwrite(earlier.rung(42).checkpoint_paths()[0], "its companion");
+  fs::create_directories(directory_.rung(42).path());
+  overwrite(directory_.rung(42).checkpoint_paths()[0], "its own companion");
+  directory_.go_on_from(earlier);
+  EXPECT_EQ(file_bytes(directory_.checkpoint_paths()[1]), "its state");
+  EXPECT_EQ(file_bytes(directory_.frame_file(0)), "its shape");
+  EXPECT_EQ(file_bytes(directory_.rung(42).checkpoint_paths()[0]), "its own companion");
+  EXPECT_FALSE(fs::exists(directory_.result_file()));
+}
+
 }  // namespace
 }  // namespace capstan

@@ -128,8 +128,8 @@ TEST(Resume, ALaterEndHasTheSameHistory) {
 
 class ProlongedRun : public ::testing::TestWithParam<testing::Model> {
  protected:
-  static Case case_to(double kt) {
-    return case_of_model(GetParam(), kt, {.history_every = 0.03, .shapes_every = 0.05});
+  static Case case_to(double kt, double history_every = 0.007) {
+    return case_of_model(GetParam(), kt, {.history_every = history_every, .shapes_every = 0.05});
   }
 };
 
@@ -152,8 +152,8 @@ TEST_P(ProlongedRun, EqualsTheLongerRunToTheLastBit) {
 
 TEST_P(ProlongedRun, BeginsWithTheHistoryOfTheShorterRun) {
   MemoryOutput first, whole;
-  Simulation(case_to(0.12)).run(first);
-  Simulation(case_to(0.2)).run(whole);
+  Simulation(case_to(0.12, 0.03)).run(first);
+  Simulation(case_to(0.2, 0.03)).run(whole);
   ASSERT_EQ(first.records.size(), 5u);
   EXPECT_TRUE(std::equal(first.records.begin(), first.records.end(), whole.records.begin()));
 }

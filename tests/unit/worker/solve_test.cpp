@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "solver/output/shape_writer.hpp"
 #include "solver/run_directory/directory_lock.hpp"
 #include "solver/run_directory/exit_code.hpp"
 #include "tests/support/file_bytes.hpp"
@@ -76,6 +77,14 @@ TEST_F(SolveCase, LongerRunGoesOnFromAShorterOneAndHasTheSameFiles) {
   EXPECT_EQ(result(prolonged)["final"], result(other_)["final"]);
 }
 
+TEST_F(SolveCase, LongerRunStartsAnewIfAShapeOfTheShorterOneIsLost) {
+  EXPECT_EQ(solve(sphere(), run_), kExitDone);
+  overwrite(run_.frame_file(1), "half of it");
+  EXPECT_EQ(solve(sphere(0.1, R"({"kt": 0.35})"), other_, kNoLimit, run_.path()), kExitDone) << printed_;
+  EXPECT_THAT(printed_, HasSubstr("0001.h5 cannot be read: the run starts anew"));
+  EXPECT_FALSE(first_lost_frame(other_, 4));
+}
+
 TEST_F(SolveCase, CompanionGoesOnFromThatOfTheShorterRun) {
   const auto with_companion = [](const char* kt) {
     return std::string(R"({"fluid": "stokes", "fidelity": {"nodes": 162}, "Ca": 0.1, "until": {"kt": )") +
@@ -106,10 +115,9 @@ TEST_F(SolveCase, RunFromWhichTheCaseCannotGoOnIsRefusedWithTheReason) {
   const std::tuple<std::string, RunDirectory, std::string> refused[] = {
       {sphere(0.1, R"({"kt": 0.1})"), run_, "ended at kt = 0.2, which this case does not pass"},
       {sphere(0.1, R"({"kt": 5, "classified": true})"), run_, "ask for the same until.classified"},
-      {sphere(0.2, R"({"kt": 5})"), run_, "only the keys of until may differ"},
+      {sphere(0.2, R"({"kt": 5})"), run_, "only until, companion and outputs.checkpoint_every may differ"},
       {sphere(0.1, R"({"kt": 5})"), RunDirectory(root_.path()), "holds no finished run"}};
   for (const auto& [text, shorter, reason] : refused) {
-    std::filesystem::remove_all(other_.path());
     EXPECT_EQ(solve(text, other_, kNoLimit, shorter.path()), kExitInvalidInput);
     EXPECT_THAT(printed_, HasSubstr(reason));
   }
