@@ -50,8 +50,8 @@ RunRecorder::RunRecorder(std::filesystem::path directory, const Case& c, Choices
 std::string RunRecorder::obstacle_to(const StateArchive& checkpoint) const {
   if (!passes(case_.until, checkpoint))
     return "the checkpoint is of a run with another end, which this run does not pass";
-  const auto lost = first_lost_frame(directory_, int(checkpoint.number("frames")));
-  return lost ? lost->string() + " cannot be read" : "";
+  const auto damaged = first_damaged_frame(directory_, int(checkpoint.number("frames")));
+  return damaged ? damaged->string() + " cannot be read" : "";
 }
 
 void RunRecorder::resume(Simulation& simulation, const std::function<void(const std::string&)>& log) {

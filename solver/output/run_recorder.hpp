@@ -29,7 +29,7 @@ class RunRecorder : public RunOutput {
 
   /// Restores the newest valid checkpoint, if there is one: of this run, or of a shorter one with equal steps
   /// that this run passes. Starts
-  /// anew if a shape before the checkpoint is lost. Calls `log` with one sentence for the checkpoint
+  /// anew if a shape before the checkpoint is damaged. Calls `log` with one sentence for the checkpoint
   /// that is used, and one for each that cannot be used.
   void resume(Simulation& simulation, const std::function<void(const std::string&)>& log);
 

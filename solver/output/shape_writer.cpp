@@ -17,9 +17,10 @@ void write_rows(Hdf5Writer& file, const std::string& name, const Matrix& matrix)
 
 }  // namespace
 
-std::optional<fs::path> first_lost_frame(const RunDirectory& directory, int count) {
+std::optional<fs::path> first_damaged_frame(const RunDirectory& directory, int count) {
   for (int frame = 0; frame < count; ++frame) try {
-      Hdf5Reader(directory.frame_file(frame)).read("kt");
+      const fs::path path = directory.frame_file(frame);
+      if (fs::exists(path)) Hdf5Reader(path).read("kt");
     } catch (const std::runtime_error&) {
       return directory.frame_file(frame);
     }
@@ -53,10 +54,12 @@ void ShapeWriter::write(double kt, int frame, const Points& positions, const Poi
   vertex_count_ = positions.cols();
 }
 
-/// Adds the frames of earlier processes of this run to the index.
+/// Adds the frames of earlier processes of this run to the index, without those that a user removed.
 void ShapeWriter::take_up_frames_before(int frame) {
-  for (int earlier = 0; earlier < frame; ++earlier)
-    times_[earlier] = Hdf5Reader(directory_.frame_file(earlier)).read("kt").at(0);
+  for (int earlier = 0; earlier < frame; ++earlier) {
+    const fs::path path = directory_.frame_file(earlier);
+    if (fs::exists(path)) times_[earlier] = Hdf5Reader(path).read("kt").at(0);
+  }
 }
 
 void ShapeWriter::write_index() const {

@@ -13,8 +13,9 @@
 
 namespace capstan {
 
-/// The first of the frames 0 to count - 1 that is missing or cannot be read; nothing if all can be.
-std::optional<std::filesystem::path> first_lost_frame(const RunDirectory& directory, int count);
+/// The first of the frames 0 to count - 1 that cannot be read; nothing if all can be. A user may have removed
+/// frames.
+std::optional<std::filesystem::path> first_damaged_frame(const RunDirectory& directory, int count);
 
 class ShapeWriter {
  public:

@@ -77,12 +77,12 @@ TEST_F(SolveCase, LongerRunGoesOnFromAShorterOneAndHasTheSameFiles) {
   EXPECT_EQ(result(prolonged)["final"], result(other_)["final"]);
 }
 
-TEST_F(SolveCase, LongerRunStartsAnewIfAShapeOfTheShorterOneIsLost) {
+TEST_F(SolveCase, LongerRunStartsAnewIfAShapeOfTheShorterOneIsDamaged) {
   EXPECT_EQ(solve(sphere(), run_), kExitDone);
   overwrite(run_.frame_file(1), "half of it");
   EXPECT_EQ(solve(sphere(0.1, R"({"kt": 0.35})"), other_, kNoLimit, run_.path()), kExitDone) << printed_;
   EXPECT_THAT(printed_, HasSubstr("0001.h5 cannot be read: the run starts anew"));
-  EXPECT_FALSE(first_lost_frame(other_, 4));
+  EXPECT_FALSE(first_damaged_frame(other_, 4));
 }
 
 TEST_F(SolveCase, CompanionGoesOnFromThatOfTheShorterRun) {
