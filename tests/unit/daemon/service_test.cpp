@@ -73,7 +73,7 @@ TEST_F(ServiceTest, UndecidedCasesOfAStudySayWhatTheyLack) {
   ASSERT_EQ(reasons.size(), 2u);
   EXPECT_EQ(reasons[0]["reason"],
             "undecided: 0.4 half-turns were seen. (case " + std::string(cases(id)[1]["id"]) + ")");
-  EXPECT_EQ(reasons[1], nlohmann::json({{"cases", 1}, {"reason", "done, with an answer"}}));
+  EXPECT_EQ(reasons[1], nlohmann::ordered_json({{"cases", 1}, {"reason", "done, with an answer"}}));
 }
 
 TEST_F(ServiceTest, ReasonsOfAStudyAreCounted) {
