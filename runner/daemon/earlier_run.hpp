@@ -1,5 +1,5 @@
 #pragma once
-// A case whose steps another case has made already, to an earlier end, goes on from there.
+// If another case has made the same steps up to an earlier end, a case starts at that end instead of kt = 0.
 #include <optional>
 #include <string>
 

@@ -79,7 +79,8 @@ struct CurveStyle {
   const char *band, *values;
 };
 
-/// An area and a line; of a curve of one point, which has neither, a wide bar and a mark.
+/// The band is an area and the boundary a line. A curve of one point has neither: its band is a wide bar, its
+/// boundary a mark.
 CurveStyle style_of(const ordered_json& curve) {
   if (curve["points"].size() == 1) return {"lines lw 10 lc rgb '#C0E69F00'", "points pt 7 ps 0.5"};
   return {"filledcurves closed fc rgb '#E69F00' fs transparent solid 0.25 noborder", "lines lw 1.5"};

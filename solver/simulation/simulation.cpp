@@ -181,17 +181,19 @@ void Simulation::write_output_to(double end, RunOutput& output) {
     write_shape(state_at((*shape_times_)[frames_]), output);
 }
 
-constexpr double kSameTime = 1e-6;  // of a step: times that differ by less are equal
-
-bool Simulation::is_reached(double kt) const { return kt <= now_.kt + kSameTime * (now_.kt - before_.kt); }
-
-/// Whether the last step passed this time.
-bool Simulation::passes(double kt) const {
-  return is_reached(kt) && kt > before_.kt + kSameTime * (now_.kt - before_.kt);
+/// Times that differ by less are equal.
+double Simulation::same_time() const {
+  constexpr double kOfAStep = 1e-6;
+  return kOfAStep * (now_.kt - before_.kt);
 }
 
+bool Simulation::is_reached(double kt) const { return kt <= now_.kt + same_time(); }
+
+/// Whether the last step passed this time.
+bool Simulation::passes(double kt) const { return is_reached(kt) && kt > before_.kt + same_time(); }
+
 MembraneState Simulation::state_at(double kt) const {
-  if (kt < now_.kt - kSameTime * (now_.kt - before_.kt)) return between(before_, now_, kt);
+  if (kt < now_.kt - same_time()) return between(before_, now_, kt);
   MembraneState state = now_;
   state.kt = kt;
   return state;

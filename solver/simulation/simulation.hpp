@@ -77,6 +77,7 @@ class Simulation {
   void count_drift();
   std::optional<Outcome> observe(RunOutput& output);
   void write_output_to(double end, RunOutput& output);
+  double same_time() const;
   bool is_reached(double kt) const;
   MembraneState state_at(double kt) const;
   void record(const MembraneState& state, RunOutput& output);
