@@ -10,32 +10,42 @@ namespace {
 
 constexpr double kSecond = 1. / 6, kFourth = 7. / 240;
 
-/// second[i] = sum of the six neighbours of the cell i - 6 cell[i], for a row of cells. Neighbouring rows may
-/// be missing.
-CAPSTAN_VECTOR_UNITS void second_differences(const double* __restrict row, const double* const* neighbours,
-                                             double* __restrict second, int count) {
-  for (int i = 0; i < count; ++i) second[i] = -6 * row[i];
-  for (int i = 1; i < count; ++i) second[i] += row[i - 1];
-  for (int i = 0; i < count - 1; ++i) second[i] += row[i + 1];
-  for (int n = 0; n < 4; ++n) {
-    const double* __restrict other = neighbours[n];
-    if (other)
-      for (int i = 0; i < count; ++i) second[i] += other[i];
-  }
+/// A row of cells and the four next to it.
+struct Rows {
+  const double *row, *below, *above, *before, *behind;
+};
+
+/// second[i] = sum of the six neighbours of the cell i - 6 times the cell. Beyond the ends of the row is
+/// zero.
+CAPSTAN_VECTOR_UNITS void put_second_differences(const Rows& rows, int count, double* __restrict second) {
+  const auto& [row, below, above, before, behind] = rows;
+  for (int i = 1; i < count - 1; ++i)
+    second[i] = (below[i] + above[i]) + (before[i] + behind[i]) + (row[i - 1] + row[i + 1]) - 6 * row[i];
+  const auto at_end = [&](int i, double next) {
+    second[i] = (below[i] + above[i]) + (before[i] + behind[i]) + next - 6 * row[i];
+  };
+  at_end(0, count > 1 ? row[1] : 0);
+  if (count > 1) at_end(count - 1, row[count - 2]);
 }
 
-void second_differences(const VectorField& field, VectorField& result) {
+/// Calls visit(rows, component, y, z) for all rows of a field. `nothing` is the row outside of the box.
+template <class Visit>
+void for_each_row_and_its_neighbours(const VectorField& field, const double* nothing, Visit visit) {
   const IndexBox& box = field.box();
-  result.reset(box);
   for_each_row_in_order(box, [&](int y, int z) {
     for (int c = 0; c < 3; ++c) {
       const auto row = [&](int at_y, int at_z) {
-        return box.has_row(at_y, at_z) ? field.row(c, at_y, at_z) : nullptr;
+        return box.has_row(at_y, at_z) ? field.row(c, at_y, at_z) : nothing;
       };
-      const double* neighbours[] = {row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1)};
-      second_differences(field.row(c, y, z), neighbours, result.row(c, y, z), box.size(0));
+      visit(Rows{row(y, z), row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1)}, c, y, z);
     }
   });
+}
+
+/// row += -kSecond once + kFourth twice
+CAPSTAN_VECTOR_UNITS void add_differences(const double* __restrict once, const double* __restrict twice,
+                                          int count, double* __restrict row) {
+  for (int i = 0; i < count; ++i) row[i] += kFourth * twice[i] - kSecond * once[i];
 }
 
 }  // namespace
@@ -46,10 +56,18 @@ double sharpening_symbol(double kx, double ky, double kz) {
 }
 
 void Sharpening::apply(VectorField& field) {
-  second_differences(field, once_);
-  second_differences(once_, twice_);
-  add_scaled(-kSecond, once_, field);
-  add_scaled(kFourth, twice_, field);
+  const IndexBox& box = field.box();
+  const int count = box.size(0);
+  once_.reset(box);
+  nothing_.assign(std::size_t(count), 0);
+  twice_.resize(std::size_t(count));
+  for_each_row_and_its_neighbours(field, nothing_.data(), [&](const Rows& rows, int c, int y, int z) {
+    put_second_differences(rows, count, once_.row(c, y, z));
+  });
+  for_each_row_and_its_neighbours(once_, nothing_.data(), [&](const Rows& rows, int c, int y, int z) {
+    put_second_differences(rows, count, twice_.data());
+    add_differences(rows.row, twice_.data(), count, field.row(c, y, z));
+  });
 }
 
 }  // namespace capstan

@@ -9,6 +9,8 @@
 // two to five vanish. (In three dimensions delta^2 delta^2 also has mixed terms, which are of fourth order.)
 // G is symmetric: used after the forces are spread and before velocities are interpolated, it leaves these
 // operations adjoint to each other.
+#include <vector>
+
 #include "solver/grid/cell_field.hpp"
 
 namespace capstan {
@@ -25,7 +27,8 @@ class Sharpening {
   void apply(VectorField& field);
 
  private:
-  VectorField once_, twice_;  ///< scratch: delta^2 field and delta^2 delta^2 field
+  VectorField once_;                     ///< scratch: delta^2 field
+  std::vector<double> nothing_, twice_;  ///< scratch: a row of zeros; a row of delta^2 delta^2 field
 };
 
 }  // namespace capstan
