@@ -34,7 +34,9 @@ TradeoffSetting varied(const char* knob, json rung_2, const json& settings) {
 }
 
 /// The tolerance is that of the presets.
-json lattice(double dx, int nodes) { return {{"dx", dx}, {"nodes", nodes}, {"tolerance", 1e-3}}; }
+json lattice(double dx, int nodes) {
+  return {{"dx", dx}, {"nodes", nodes}, {"tolerance", usual_tolerance(dx)}};
+}
 
 }  // namespace
 
@@ -80,10 +82,10 @@ TradeoffModel lattice_settings() {
   };
   for (double dx : {0.4, 0.1}) vary("dx", {{"dx", dx}});
   for (int nodes : {162, 2562}) vary("nodes", {{"nodes", nodes}});
-  for (double tolerance : {1e-1, 1e-2, 1e-4}) vary("tolerance", {{"tolerance", tolerance}});
+  for (double tolerance : {1e-2, 1e-3, 1e-4}) vary("tolerance", {{"tolerance", tolerance}});
   for (const char* stepper : {"ab2", "rkc2"}) vary("stepper", {{"stepper", stepper}});
   for (double kdt : {0.08, 0.04, 0.02, 0.01}) vary("kdt", {{"stepper", "ab2"}, {"kdt", kdt}});
-  for (double kdt : {0.08, 0.04, 0.02})
+  for (double kdt : {0.04, 0.02})
     vary("kdt, tolerance", {{"stepper", "ab2"}, {"kdt", kdt}, {"tolerance", 1e-2}});
   for (double box : {6.4, 25.6}) vary("box", {{"box", box}});
   vary("precision", {{"precision", "double"}});

@@ -65,10 +65,10 @@ Case by_boundary_integrals(Case c, const Resolution& resolution) {
 }
 
 Case on_lattice(Case c, const Resolution& resolution) {
-  constexpr double kDefaultRe = 0.05, kTolerance = 1e-3;
+  constexpr double kDefaultRe = 0.05;
   c.Re = kDefaultRe;
   c.fluid = lattice_for(c.Re);
-  c.fidelity = {.dx = resolution.dx, .nodes = resolution.nodes, .tolerance = kTolerance};
+  c.fidelity = {.dx = resolution.dx, .nodes = resolution.nodes, .tolerance = usual_tolerance(resolution.dx)};
   c.fidelity.stepper = default_stepper(c);
   c.fidelity.kdt = c.fidelity.stepper == Stepper::adams_bashforth ? default_kdt(c) : 0;
   return c;

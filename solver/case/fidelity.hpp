@@ -54,6 +54,10 @@ struct Fidelity {
   bool operator==(const Fidelity&) const = default;
 };
 
+/// Tolerance of the flow on a lattice of the tuned scheme. On coarse ones 2e-3 takes up to 40 % fewer cycles
+/// than 1e-3 and changes Q by a tenth of what the spacing does. On fine ones rkc2 would shorten its steps.
+constexpr double usual_tolerance(double dx) { return dx > 0.15 ? 2e-3 : 1e-3; }
+
 /// Named settings. Stepper and `kdt` are chosen afterwards, for the case (time_step_defaults.hpp).
 struct FidelityPreset {
   std::string_view name;

@@ -17,7 +17,7 @@ struct Rung {
 };
 
 constexpr Rung kStokes[] = {{42, 0, 0.1},     {92, 0, 0.05},     {162, 0, 0.025},
-                            {362, 0, 0.006},  {642, 0, 0.003},   {1442, 0, 0.0015},
+                            {362, 0, 0.005},  {642, 0, 0.003},   {1442, 0, 0.0015},
                             {2562, 0, 0.001}, {5762, 0, 0.0009}, {10242, 0, 0.0008}};
 constexpr Rung kLattice[] = {{162, 32, 0.2},    {362, 48, 0.1},    {642, 64, 0.05},    {1442, 96, 0.03},
                              {2562, 128, 0.02}, {5762, 192, 0.01}, {10242, 256, 0.005}};
@@ -30,11 +30,19 @@ std::span<const Rung> rungs_of(const Case& c) {
 
 bool fits_box(const Case& c) { return !c.has_grid() || issue_of_grid(c).empty(); }
 
+/// A tolerance that is the usual one of its spacing becomes that of the new one.
+void set_spacing(Case& c, double dx) {
+  Fidelity& fidelity = c.fidelity;
+  const bool is_usual = c.has_grid() && fidelity.tolerance == usual_tolerance(fidelity.dx);
+  if (is_usual) fidelity.tolerance = usual_tolerance(dx);
+  fidelity.dx = dx;
+}
+
 Case at(const Case& c, const Rung& rung) {
   constexpr double kBox = 12.8;
   Case result = c;
   result.fidelity.nodes = rung.nodes;
-  if (c.has_grid()) result.fidelity.dx = kBox / rung.box_parts;
+  if (c.has_grid()) set_spacing(result, kBox / rung.box_parts);
   choose_time_step(result);
   return result;
 }
@@ -47,7 +55,7 @@ std::optional<Case> coarser(const Case& c) {
   if (!has_ladder(c)) return std::nullopt;
   Case result = c;
   result.fidelity.nodes = (c.fidelity.nodes - 2) / 4 + 2;
-  result.fidelity.dx = 2 * c.fidelity.dx;
+  set_spacing(result, 2 * c.fidelity.dx);
   const auto rungs = rungs_of(c);
   const bool is_rung = std::ranges::find(rungs, result.fidelity.nodes, &Rung::nodes) != rungs.end();
   if (!is_rung || !fits_box(result)) return std::nullopt;
@@ -70,10 +78,11 @@ std::optional<Case> companion_of(const Case& c) {
 }
 
 Case at_first_rung(const Case& c) {
+  constexpr double kBold = 1.7;  // a rung that is too coarse costs little beside the next one
   Case rung = c;
   for (const Rung& each : rungs_of(c)) {
     rung = at(c, each);
-    if (each.usual_error <= c.fidelity.error && fits_box(rung) && coarser(rung)) break;
+    if (each.usual_error <= kBold * c.fidelity.error && fits_box(rung) && coarser(rung)) break;
   }
   return rung;
 }

@@ -26,7 +26,7 @@ double rkc2_flows(const Case& c);
 /// Processor time of a flow solution of rkc2 on a lattice, over that of ab2. Flows of ab2 are extrapolated
 /// from equal steps and take one cycle; those of the stages of rkc2 start from the last solution and take
 /// about two. Measured to kt = 4 (spheres, Ca = 0.0125 to 0.2): 1.3 to 1.8 at dx = 0.2, 2.5 at 0.1.
-inline constexpr double kRkc2Cost = 1.5;
+inline constexpr double kRkc2Cost = 1.6;
 
 /// The stepper that takes less processor time. ab2 only on a lattice, and only where its accurate steps are
 /// stable. The paper's scheme keeps ab2 as long as it is stable.

@@ -70,9 +70,7 @@ std::unique_ptr<FlowModel> make_flow(const Case& c, const TriangleMesh& mesh, co
 
 std::unique_ptr<TimeStepper> make_stepper(const Case& c, std::optional<double> imposed_kdt) {
   if (imposed_kdt) return std::make_unique<AdamsBashforth2>(*imposed_kdt);
-  if (c.fidelity.stepper == Stepper::runge_kutta_chebyshev)
-    return std::make_unique<RungeKuttaChebyshev>(
-        RungeKuttaChebyshev::Options{.soft_step = c.has_grid() ? 0 : 0.2});
+  if (c.fidelity.stepper == Stepper::runge_kutta_chebyshev) return std::make_unique<RungeKuttaChebyshev>();
   return std::make_unique<AdamsBashforth2>(c.fidelity.kdt);
 }
 

@@ -12,7 +12,7 @@ class RungeKuttaChebyshev : public TimeStepper {
   struct Options {
     double tolerance = 3e-4;    ///< largest error of the positions in one step, root mean square, / a
     double largest_step = 0.1;  ///< k dt
-    double soft_step = 0;       ///< k dt, the largest step of a soft membrane, if that is longer
+    double soft_step = 0.2;     ///< k dt, the largest step of a soft membrane, if that is longer
   };
   RungeKuttaChebyshev() : RungeKuttaChebyshev(Options{}) {}
   explicit RungeKuttaChebyshev(const Options& options) : options_(options) {}

@@ -273,7 +273,8 @@ TEST(ParseCase, StokesFlowHasNeitherInertiaNorGrid) {
 
 TEST(ParseCase, StepperThatChoosesItsStepsTakesNone) {
   EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", "stokes"}}).fidelity.stepper, Stepper::runge_kutta_chebyshev);
-  EXPECT_EQ(valid({{"Ca", 0.3}, {"fluid", "quasisteady"}}).fidelity.stepper, Stepper::adams_bashforth);
+  EXPECT_EQ(valid({{"Ca", 1}, {"fluid", "quasisteady"}, {"fidelity", "fast"}}).fidelity.stepper,
+            Stepper::adams_bashforth);
   EXPECT_THAT(pointers_of_issues({{"Ca", 0.1}, {"fidelity", {{"stepper", "rkc2"}, {"kdt", 0.1}}}}),
               ElementsAre("/fidelity/kdt"));
 }

@@ -34,7 +34,8 @@ double error_of_run(RungeKuttaChebyshev stepper, const VelocityField& field, dou
 
 TEST(RungeKuttaChebyshev, IsOfSecondOrder) {
   const auto error = [](double step) {
-    return error_of_run(RungeKuttaChebyshev({.tolerance = 1, .largest_step = step}), circle_and_decay(1), 1);
+    return error_of_run(RungeKuttaChebyshev({.tolerance = 1, .largest_step = step, .soft_step = step}),
+                        circle_and_decay(1), 1);
   };
   // it starts with a tenth of the largest step, so that the error of a step is not known beforehand
   EXPECT_NEAR(std::log2(error(0.05) / error(0.025)), 2, 0.35);
