@@ -48,7 +48,7 @@ def draw(axes, scene, rows):
     for fluid, colour in COLOURS.items():
         knobs = [r for r in measured if r["fluid"] == fluid and r["knob"] not in ("rung", "model")]
         axes.plot([r["seconds"] for r in knobs], [r["error_Q"] for r in knobs], ".", color=colour, markersize=3, alpha=0.6)
-        rungs = sorted((r for r in measured if r["fluid"] == fluid and r["knob"] == "rung"), key=lambda r: r["seconds"])
+        rungs = sorted((r for r in measured if r["fluid"] == fluid and r["knob"] == "rung"), key=lambda r: int(nodes(r)))
         axes.plot([r["seconds"] for r in rungs], [r["error_Q"] for r in rungs], "o-", color=colour, markersize=4,
                   label=LABELS[fluid])
         for rung in rungs:
@@ -77,11 +77,11 @@ def calibration(path):
     rows = [json.loads(line) for line in open(path)]
     figure, all_axes = plt.subplots(1, 2, figsize=(7, 3.5), constrained_layout=True, sharex=True, sharey=True)
     for axes, fluid in zip(all_axes, COLOURS):
-        for rung, marker in ((1, "^"), (2, "o"), (3, "s")):
+        for rung, marker in ((162, "^"), (362, "v"), (642, "o"), (1442, "D"), (2562, "s")):
             points = [r for r in rows if r["fluid"] == fluid and r["rung"] == rung]
             if points:
                 axes.plot([r["stated"] for r in points], [r["true"] for r in points], marker, markersize=2.5, alpha=0.6,
-                          label=f"rung {rung}")
+                          label=f"{rung} nodes")
         axes.plot([1e-4, 1], [1e-4, 1], color="0.6", linewidth=0.8)
         axes.set(xscale="log", yscale="log", xlim=(1e-4, 2), ylim=(1e-6, 2), title=LABELS[fluid], xlabel="stated error of Q")
         axes.legend(frameon=False)

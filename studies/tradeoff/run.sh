@@ -1,6 +1,6 @@
 #!/bin/sh
 # Measures the trade of speed against accuracy, then makes tables and figures: runs.csv, results.md, *.svg.
-# Takes about ten minutes on two cores. Needs python3 with numpy and matplotlib.
+# Takes about a quarter of an hour on two cores. Needs python3 with numpy and matplotlib.
 #   sh studies/tradeoff/run.sh [PROGRAM]
 set -eu
 capstan=$(realpath "${1:-build/release/capstan}")

@@ -37,7 +37,7 @@ def print_rungs(rows):
         for scene in scenes_of(rungs):
             cells = {r["setting"]: r for r in rungs if r["scene"] == scene}
             lines.append([scene] + [cell(cells.get(s)) for s in settings])
-        table(["scene"] + [s.removesuffix(", tolerance 0.001") for s in settings], lines)
+        table(["scene"] + [s.split(", tolerance")[0] for s in settings], lines)
 
 
 def cell(row):
