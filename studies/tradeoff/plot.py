@@ -72,6 +72,16 @@ def work_precision(rows):
     figure.savefig(HERE / "work_precision.svg")
 
 
+def red_cell(rows):
+    """One scene alone, for the README of the project."""
+    scene = "red_cell_0.25_4"
+    figure, axes = plt.subplots(figsize=(4.2, 3.2), constrained_layout=True)
+    draw(axes, scene, [r for r in rows if r["scene"] == scene])
+    axes.set(xlabel="processor time, s", ylabel="error of Q", title="red cell, Ca = 0.25, V = 4, to kt = 15")
+    axes.legend(frameon=False)
+    figure.savefig(HERE / "red_cell.svg")
+
+
 def calibration(path):
     """\\param path  lines {"fluid", "rung", "stated", "true"} of calibration/evaluate.py"""
     rows = [json.loads(line) for line in open(path)]
@@ -90,7 +100,9 @@ def calibration(path):
 
 
 if __name__ == "__main__":
-    work_precision(read(sys.argv[1]))
+    measured = read(sys.argv[1])
+    work_precision(measured)
+    red_cell(measured)
     stated_and_true = HERE.parent / "calibration" / "errors.jsonl"
     if stated_and_true.exists():
         calibration(stated_and_true)
