@@ -102,8 +102,9 @@ def rows_of(ladders):
 
 
 # Factor and floor of Q, as in solver/observe/error_estimate.cpp.
-COARSEST, COARSE, BOUNDARY_INTEGRALS, LATTICE = (1.3, 0.01), (0.45, 0.002), (0.5, 8e-4), (1.4, 1e-3)
+COARSEST, COARSE, BOUNDARY_INTEGRALS, LATTICE = (1.3, 0.01), (0.45, 0.002), (0.5, 8e-4), (1, 1e-3)
 COARSEST_DIMPLES = (1.3, 0.04)
+LATTICE_THIN, COARSE_LATTICE_VISCOUS = (1.4, 1e-3), (6, 1e-3)
 WITHOUT_BENDING, BEGINS_TO_WRINKLE, FOLDED = (0.9, 2e-3), (1.5, 0.05), (1.5, 0.2)
 WRINKLING = 40
 
@@ -120,9 +121,16 @@ def kind_of_scene(row):
     return "folded" if is_folded(row) else "with bending" if row["case"].get("E_b", 0) > 0 else "E_b = 0"
 
 
+def calibration_of_lattice(row):
+    case = row["case"]
+    if case["V"] < 0.2:
+        return LATTICE_THIN
+    return COARSE_LATTICE_VISCOUS if case["shape"] == "biconcave" and case["V"] > 6.5 and row["rung"] < 1442 else LATTICE
+
+
 def calibration_of_rung(row):
     if row["fluid"] != "stokes":
-        return LATTICE
+        return calibration_of_lattice(row)
     if row["rung"] <= 162 and row["case"]["shape"] == "biconcave":
         return COARSEST_DIMPLES
     return COARSEST if row["rung"] <= 162 else COARSE if row["rung"] < 642 else BOUNDARY_INTEGRALS
