@@ -58,6 +58,18 @@ TEST(CompositeRun, HasTheSameHistoryToTheLastBitOnOneThreadAndOnTwo) {
   EXPECT_EQ(alone, together);
 }
 
+// The first step, Euler's, changes it most. The flow then returns it.
+TEST(CompositeRun, KeepsTheVolumeToATenthOfAPercent) {
+  for (const char* keys : {R"("Ca": 0.3, "V": 0.2)", R"("Ca": 1, "V": 5, "law": "skalak", "C": 1)"}) {
+    const History history = testing::history_of("{" + std::string(keys) +
+                                                R"(, "fluid": "quasisteady", "until": {"kt": 4},
+      "outputs": {"shapes_every": 0, "history_every": 0.05}, "fidelity": "fast"})");
+    for (const auto& record : history)
+      EXPECT_NEAR(record["volume"] / history.front()["volume"], 1, 1e-3) << keys;
+    EXPECT_NEAR(history.back()["volume"] / history.front()["volume"], 1, 1e-4) << keys;
+  }
+}
+
 // In a box this large, convection of momentum exceeds viscosity far from the capsule.
 TEST(CompositeRun, StaysStableInALargeBoxAndDeformsAsInASmallerOne) {
   const auto in_box = [](const std::string& box) {

@@ -45,6 +45,13 @@ TEST(TimeStepDefaults, StifferOnesWithAb2TakeHalfOfTheStableStep) {
   }
 }
 
+// The rate that power iterations find at (1, 10) is 20 at most.
+TEST(TimeStepDefaults, AContrastOfViscositiesLimitsTheStepHoweverSoftTheMembraneIs) {
+  const std::string soft = R"("shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 2)";
+  EXPECT_GT(fastest_decay(on_lattice(soft + R"(, "V": 10)")), 10);
+  EXPECT_LT(fastest_decay(on_lattice(soft + R"(, "V": 1)")), 5);
+}
+
 // With steps of 0.067 the first comes out with D_xy = 0.416 instead of 0.434.
 TEST(TimeStepDefaults, RoundMembranesThatHardenTakeShorterStepsWithAb2) {
   for (const char* keys : {R"("Ca": 0.3, "law": "skalak", "C": 1)", R"("Ca": 0.2, "law": "skalak", "C": 0.5)",

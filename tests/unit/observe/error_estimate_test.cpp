@@ -54,6 +54,18 @@ TEST(ErrorEstimate, IsLargerOnALatticeWithoutBendingAndOnAFoldedSurface) {
   EXPECT_GT(estimated_error(other, kDistance).Q, without_bending);
 }
 
+TEST(ErrorEstimate, OnACoarseLatticeIsLargerForViscousRedCells) {
+  const auto on_lattice = [](const std::string& keys, const std::string& fidelity) {
+    return estimated_error(run_of(keys + R"(, "fluid": "quasisteady", "fidelity": ")" + fidelity + '"'),
+                           kDistance)
+        .Q;
+  };
+  const std::string viscous = R"("shape": "biconcave", "V": 8)", usual = R"("shape": "biconcave", "V": 6)";
+  EXPECT_GT(on_lattice(viscous, "fast"), 5 * on_lattice(usual, "fast"));
+  EXPECT_EQ(on_lattice(viscous, "standard"), on_lattice(usual, "standard"));
+  EXPECT_GT(on_lattice(R"("V": 0.1)", "fast"), on_lattice(R"("V": 1)", "fast"));
+}
+
 TEST(ErrorEstimate, OfDeformationAngleAndPeriodDoesNotVanishWhereTheyAgreeByChance) {
   Distance by_chance = kDistance;
   by_chance.D_xy = by_chance.theta = by_chance.period = 0;

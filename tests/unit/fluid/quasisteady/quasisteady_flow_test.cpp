@@ -80,6 +80,20 @@ TEST(QuasisteadyFlow, BoxThatSpansTheDomainInXOnlyConvergesToTheVelocitiesOfTheU
   EXPECT_LT(difference(u, velocities<double>(cell, cell.symmetric(), uniform)), 1e-3);
 }
 
+// Interpolation at such a side reads a ghost of the domain.
+TEST(QuasisteadyFlow, BoxThatEndsTwoCellsBeforeTheDomainConvergesToTheVelocitiesOfTheUniformGrid) {
+  RedCell cell;
+  cell.positions.row(0) *= 2.7 / cell.positions.row(0).maxCoeff();
+  QuasisteadyOptions composite = kOptions, uniform = kOptions;
+  composite.box = uniform.box = 9.6, composite.tolerance = 1e-9;
+  uniform.is_uniform = true;
+  QuasisteadyFlow<double> flow(cell.sphere.mesh, cell.symmetric(), composite);
+  Points u;
+  EXPECT_TRUE(flow.solve(0, cell.positions, cell.forces, u).converged);
+  EXPECT_EQ(flow.grids().front().box().hi[0], 22);  // of 24
+  EXPECT_LT(difference(u, velocities<double>(cell, cell.symmetric(), uniform)), 1e-3);
+}
+
 TEST(QuasisteadyFlow, OnAQuarterIsThatOnTheWholeDomain) {
   const RedCell cell;
   EXPECT_LT(difference(velocities<double>(cell, cell.symmetric(), kOptions),
