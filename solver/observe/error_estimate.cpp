@@ -62,11 +62,11 @@ double larger_unless_unknown(double distance, double other) {
 }  // namespace
 
 ErrorEstimate estimated_error(const EstimatedRun& run, const Distance& to_companion) {
-  constexpr double kFewTurns = 0.5;
+  constexpr double kFewTurns = 0.5, kLargest = 2;  // |Q| < 1
   const Calibration calibration = calibration_of(run);
   const double longer = to_companion.until_kt > 0 ? std::max(1., run.kt / to_companion.until_kt)
                                                   : std::numeric_limits<double>::quiet_NaN();
-  const double Q = std::max(calibration.floor, longer * calibration.factor * to_companion.Q);
+  const double Q = std::clamp(longer * calibration.factor * to_companion.Q, calibration.floor, kLargest);
   const auto scaled = [&](double distance, double least) {
     return larger_unless_unknown(longer * calibration.factor * distance, least);
   };

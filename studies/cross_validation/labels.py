@@ -39,8 +39,8 @@ def main():
     print("|---" * 10 + "|")
     for row, result in pairs:
         if row["motion"] != result["motion"]:
-            print(f"| {row['Ca']} | {row['V']} | {row['motion']} | {row['evidence.margin']} | {row['error.Q']} | {row['confirmed']} | "
-                  f"{result['motion']} | {result['evidence'].get('margin')} | {result['error']['Q']} | {str(result['confirmed']).lower()} |")
+            print(f"| {row['Ca']} | {row['V']} | {row['motion']} | {float(row['evidence.margin']):.4f} | {row['error.Q']} | {row['confirmed']} | "
+                  f"{result['motion']} | {result['evidence']['margin']:.4f} | {result['error']['Q']} | {str(result['confirmed']).lower()} |")
 
 
 if __name__ == "__main__":
