@@ -124,8 +124,10 @@ void CaseReader::read_fidelity() {
   } else if (fidelity != document_.end()) {
     if (const auto preset = fidelity->find("preset"); preset != fidelity->end())
       start_from_preset("/fidelity/preset", *preset);
+    const double spacing = case_.fidelity.dx;
     for (const Parameter& parameter : parameters())
       if (parameter.group == "fidelity") read_parameter(parameter);
+    if (!fidelity->contains("tolerance")) adapt_tolerance(case_, spacing);
     check_unknown_keys("/fidelity", *fidelity, keys_of_group("fidelity"));
   }
   if (case_.fidelity.error > 0 && has_ladder(case_))

@@ -30,12 +30,10 @@ std::span<const Rung> rungs_of(const Case& c) {
 
 bool fits_box(const Case& c) { return !c.has_grid() || issue_of_grid(c).empty(); }
 
-/// A tolerance that is the usual one of its spacing becomes that of the new one.
 void set_spacing(Case& c, double dx) {
-  Fidelity& fidelity = c.fidelity;
-  const bool is_usual = c.has_grid() && fidelity.tolerance == usual_tolerance(fidelity.dx);
-  if (is_usual) fidelity.tolerance = usual_tolerance(dx);
-  fidelity.dx = dx;
+  const double before = c.fidelity.dx;
+  c.fidelity.dx = dx;
+  adapt_tolerance(c, before);
 }
 
 Case at(const Case& c, const Rung& rung) {
@@ -48,6 +46,12 @@ Case at(const Case& c, const Rung& rung) {
 }
 
 }  // namespace
+
+void adapt_tolerance(Case& c, double spacing_before) {
+  double& tolerance = c.fidelity.tolerance;
+  if (c.has_composite_grid() && tolerance == usual_tolerance(spacing_before))
+    tolerance = usual_tolerance(c.fidelity.dx);
+}
 
 bool has_ladder(const Case& c) { return !c.has_grid() || c.has_composite_grid(); }
 

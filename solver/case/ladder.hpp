@@ -13,6 +13,9 @@ namespace capstan {
 /// Whether the flow model has a ladder: not the transient lattice, nor the paper's scheme.
 bool has_ladder(const Case& c);
 
+/// After a change of dx: a tolerance that is the usual one of the spacing before becomes that of the new one.
+void adapt_tolerance(Case& c, double spacing_before);
+
 /// The same scene at twice the spacing, with a quarter of the nodes. Stepper and time step are those that its
 /// own case file would get. Nothing if the flow model has no ladder, there is no such rung, or the lattice
 /// does not fit the box.

@@ -199,7 +199,7 @@ std::vector<Parameter> resolution_parameters() {
        .conditions = {needs_own_time_step(), needs_choice_of_stepper(), needs_fixed_settings()},
        .description =
            "Adams-Bashforth in equal steps, or Runge-Kutta-Chebyshev in steps after their error (the "
-           "default with stokes, and with quasisteady where the membrane is stiff). unsteady takes ab2."},
+           "default with stokes, and with quasisteady where it takes less time). unsteady takes ab2."},
       {.key = "kdt",
        .value = number({kMinTime, 1}, &Case::fidelity, &Fidelity::kdt),
        .conditions = {needs_own_time_step(), needs_equal_steps(), needs_fixed_settings()},

@@ -50,7 +50,7 @@ double decay_on_smoothing_grid(const Case& c, const Stiffness& membrane) {
 
 /// A contrast of viscosities adds a rate that does not depend on Ca, because the jump moves with the
 /// membrane: red cells at V = 10 have rates of up to 27 at Ca = 0.4 and 20 at Ca = 1, where the terms of
-/// elasticity are 11 and 4. With steps of 0.047 Q was wrong by 0.012 in the first (kt = 20, dx = 0.2), with
+/// elasticity are 11 and 4. At Ca = 0.4 steps of 0.047 make Q wrong by 0.012 (kt = 20, dx = 0.2), steps of
 /// 0.033 by 0.0006.
 double decay_on_sharp_grid(const Case& c, const Stiffness& membrane) {
   const double dx = c.fidelity.dx, mobility = 2 / (1 + std::min(c.V, 10.));  // the outer fluid stays thin
@@ -131,7 +131,7 @@ double accurate_kdt(const Case& c) {
 
 double default_kdt(const Case& c) {
   const double kdt = std::max(std::min(accurate_kdt(c), stable_kdt(c)), kMinTime);
-  return std::round(kdt * 1e9) / 1e9;  // 0.08, not 0.08000000000000002
+  return std::round(kdt * 1e9) / 1e9;  // 0.04, not 0.04000000000000001
 }
 
 double rkc2_flows(const Case& c) {

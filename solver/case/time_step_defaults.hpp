@@ -19,13 +19,14 @@ double kdt_of_stepper(const Case& c);
 /// Gives a case the stepper and the time step that it has by default.
 void choose_time_step(Case& c);
 
-/// Flow solutions of rkc2 a unit of kt: a step of its largest length takes as many stages as the fastest
-/// decay requires.
+/// Flow solutions of rkc2 a unit of kt, for its longest accurate step (0.1; up to 0.2 for soft membranes): as
+/// many stages as the fastest decay requires, at least 3.
 double rkc2_flows(const Case& c);
 
 /// Processor time of a flow solution of rkc2 on a lattice, over that of ab2. Flows of ab2 are extrapolated
 /// from equal steps and take one cycle; those of the stages of rkc2 start from the last solution and take
-/// about two. Measured to kt = 4 (spheres, Ca = 0.0125 to 0.2): 1.3 to 1.8 at dx = 0.2, 2.5 at 0.1.
+/// about two. With this factor 16 of 17 spheres, spheroids and red cells (dx = 0.2, kt = 20) got the stepper
+/// that took less time, or one that took at most 15 % more.
 inline constexpr double kRkc2Cost = 1.6;
 
 /// The stepper that takes less processor time. ab2 only on a lattice, and only where its accurate steps are

@@ -18,7 +18,8 @@ struct Rows {
 /// second[i] = sum of the six neighbours of the cell i - 6 times the cell. Beyond the ends of the row is
 /// zero.
 CAPSTAN_VECTOR_UNITS void put_second_differences(const Rows& rows, int count, double* __restrict second) {
-  const auto& [row, below, above, before, behind] = rows;
+  const double *row = rows.row, *below = rows.below, *above = rows.above, *before = rows.before,
+               *behind = rows.behind;
   for (int i = 1; i < count - 1; ++i)
     second[i] = (below[i] + above[i]) + (before[i] + behind[i]) + (row[i - 1] + row[i + 1]) - 6 * row[i];
   const auto at_end = [&](int i, double next) {

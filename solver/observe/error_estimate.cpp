@@ -19,8 +19,8 @@ constexpr Calibration kCoarsest{1.3, 0.01}, kCoarse{0.45, 0.002}, kBoundaryInteg
     kLattice{1, 1e-3};
 /// On the coarsest mesh both rungs lack the dimples of a red cell.
 constexpr Calibration kCoarsestDimples{1.3, 0.04};
-/// In a thin inner fluid the error falls more slowly. Of red cells with a viscous fluid, coarse lattices lack
-/// so much that they agree in the wrong motion.
+/// In a thin inner fluid the error falls more slowly with the spacing. Coarse lattices resolve red cells with
+/// a viscous inner fluid so poorly that two rungs can agree on the wrong motion.
 constexpr Calibration kLatticeThin{1.4, 1e-3}, kCoarseLatticeViscous{6, 1e-3};
 /// Without bending stiffness finer meshes have finer wrinkles.
 constexpr Calibration kWithoutBending{0.9, 2e-3}, kBeginsToWrinkle{1.5, 0.05};
@@ -62,7 +62,7 @@ double larger_unless_unknown(double distance, double other) {
 }  // namespace
 
 ErrorEstimate estimated_error(const EstimatedRun& run, const Distance& to_companion) {
-  constexpr double kFewTurns = 0.5, kLargest = 2;  // |Q| < 1
+  constexpr double kFewTurns = 0.5, kLargest = 2;  // two Q differ by less, since |Q| < 1
   const Calibration calibration = calibration_of(run);
   const double longer = to_companion.until_kt > 0 ? std::max(1., run.kt / to_companion.until_kt)
                                                   : std::numeric_limits<double>::quiet_NaN();

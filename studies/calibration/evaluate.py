@@ -150,7 +150,7 @@ def calibration_of(row):
 def stated(row):
     factor, floor = calibration_of(row)
     half_turns = max(0.5, row["runs"][row["rung"]].entry["evidence"]["turns"])
-    Q = max(floor, factor * row["d"]["Q"])
+    Q = min(max(floor, factor * row["d"]["Q"]), 2)
     return {"Q": Q, "D_xy": max(factor * row["d"]["D_xy"], 0.75 * Q),
             "theta": min(max(factor * row["d"]["theta"], 2 * Q), math.pi / 2),
             "period": max(factor * row["d"]["period"], 3 * Q / half_turns)}

@@ -68,6 +68,7 @@ std::vector<IndexBox> plan_boxes(const Domain& domain, const IndexBox& capsule,
   for (int grid = 0; grid < domain.grid_count(); ++grid) {
     const int margin = grid == 0 ? kMarginOfFinest : kMarginOfNext;
     IndexBox box = domain.is_uniform ? domain.box(grid) : fitted(grown(inner, margin), domain, grid);
+    if (grid + 1 == domain.grid_count()) box = domain.box(grid);  // no coarser grid could give it ghosts
     if (!current.empty() && box != domain.box(grid)) {
       const IndexBox needed = fitted(grown(inner, std::max(margin - kSlack, kLeastMargin)), domain, grid);
       if (still_fits(current[grid], needed, box)) box = current[grid];

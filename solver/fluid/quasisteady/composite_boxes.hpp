@@ -1,6 +1,6 @@
 #pragma once
 // The boxes of the grids of a composite grid. The finest grid covers a box around the capsule. Each coarser
-// grid, of twice the spacing, covers a larger box; as soon as a box would have more than half of the domain's
+// grid, of twice the spacing, covers a larger box; as soon as a box would have more than 0.7 of the domain's
 // cells, the grid and all coarser ones cover the whole domain.
 #include <vector>
 

@@ -52,7 +52,7 @@ void MembraneCoupling::read(const VectorField& field, Points& velocities) {
   }
   velocities += kinks_;
   velocities.row(0) += positions_.row(1);
-  constexpr double kReturnRate = 5;  // k: fast enough to keep the volume, slow compared with a time step
+  constexpr double kReturnRate = 5;  // k; ab2 is stable with it for steps below 0.2
   const double flux = velocities.cwiseProduct(area_vectors_).sum();
   leak_ = std::abs(flux / present_volume_);
   const double excess = volume_ ? present_volume_ - *volume_ : 0;

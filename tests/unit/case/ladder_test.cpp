@@ -32,6 +32,11 @@ TEST(Ladder, ACompanionIsTheCaseThatItsOwnFileWouldGive) {
   Case fast = lattice(R"("fast")");
   fast.companion = false;
   EXPECT_EQ(companion, fast);
+  companion = *companion_of(lattice(R"("fast")"));
+  companion.outputs.shapes_every = 1;
+  Case coarse = lattice(R"({"dx": 0.4, "nodes": 162})");
+  coarse.companion = false;
+  EXPECT_EQ(companion, coarse);
 }
 
 TEST(Ladder, EndsAtItsCoarsestRung) {

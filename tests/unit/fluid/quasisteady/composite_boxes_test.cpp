@@ -68,6 +68,16 @@ TEST(CompositeBoxes, OfACapsuleNearAWallEndAtTheWall) {
   EXPECT_EQ(boxes[0].hi[1], 64);
 }
 
+TEST(CompositeBoxes, TheCoarsestCoversTheDomainWhateverItsSize) {
+  for (int cells : {72, 88, 112, 144, 176, 352})
+    for (bool is_quarter : {false, true}) {
+      const Domain domain{.cells = cells, .is_quarter = is_quarter};
+      const IndexBox capsule =
+          is_quarter ? IndexBox{{-9, 0, 0}, {9, 9, 9}} : IndexBox{{-9, -9, -9}, {9, 9, 9}};
+      expect_nested(domain, plan_boxes(domain, capsule, {}), capsule);
+    }
+}
+
 TEST(CompositeBoxes, OfAUniformGridCoverTheDomain) {
   const Domain uniform{.cells = 64, .is_quarter = false, .is_uniform = true};
   const auto boxes = plan_boxes(uniform, kUnfolded, {});
