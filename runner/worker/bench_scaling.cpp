@@ -25,7 +25,7 @@ void add_resolutions(BenchReport& report) {
   };
   nlohmann::ordered_json rows;
   for (const auto& [dx, kdt, nodes] :
-       {Resolution{0.4, 0.08, 162}, {0.2, 0.08, 642}, {0.1, 0.04, 2562}, {0.05, 0.01, 10242}}) {
+       {Resolution{0.4, 0.05, 162}, {0.2, 0.03, 642}, {0.1, 0.04, 2562}, {0.05, 0.01, 10242}}) {
     restart_peak_memory();
     const TimedRun run = timed_run(red_cell_case(0.4, dx, nodes, kdt, 30), kSecondsOfARun);
     rows.push_back({{"dx", dx},

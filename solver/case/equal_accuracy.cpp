@@ -33,8 +33,8 @@ constexpr auto kResolutions = std::to_array<Resolution>({
     {Coupling::none, 0, 2562, {kQ, 0.0002, 0.0004}},
     {Coupling::second_order, 0.4, 162, {kQ, 0.01, 0.46}},
     {Coupling::second_order, 0.2, 642, {kQ, 0.002, 0.19}},
-    {Coupling::second_order, 0.1, 2562, {kQ, 0.0008, 0.022}},
-    {Coupling::second_order, 0.05, 10242, {kQ, 0.0004, 0.017}},
+    {Coupling::second_order, 0.1, 2562, {kQ, 0.0009, 0.023}},
+    {Coupling::second_order, 0.05, 10242, {kQ, 0.0003, 0.022}},
     {Coupling::first_order, 0.2, 642, {kD, 0.047, 0.1}},
     {Coupling::first_order, 0.1, 2562, {kD, 0.021, 0.035}},
 });

@@ -17,7 +17,7 @@ struct Rung {
 };
 
 constexpr Rung kStokes[] = {{42, 0, 0.1},     {92, 0, 0.05},     {162, 0, 0.025},
-                            {362, 0, 0.005},  {642, 0, 0.003},   {1442, 0, 0.0015},
+                            {362, 0, 0.006},  {642, 0, 0.003},   {1442, 0, 0.0015},
                             {2562, 0, 0.001}, {5762, 0, 0.0009}, {10242, 0, 0.0008}};
 constexpr Rung kLattice[] = {{162, 32, 0.2},    {362, 48, 0.1},    {642, 64, 0.05},    {1442, 96, 0.03},
                              {2562, 128, 0.02}, {5762, 192, 0.01}, {10242, 256, 0.005}};
@@ -82,7 +82,7 @@ std::optional<Case> companion_of(const Case& c) {
 }
 
 Case at_first_rung(const Case& c) {
-  constexpr double kBold = 1.7;  // a rung that is too coarse costs little beside the next one
+  constexpr double kBold = 2;  // a rung that is too coarse costs little beside the next one
   Case rung = c;
   for (const Rung& each : rungs_of(c)) {
     rung = at(c, each);

@@ -15,7 +15,7 @@ struct Calibration {
   double floor;   ///< of Q: where the two rungs agree better than this, they do so by chance
 };
 
-constexpr Calibration kCoarsest{1.3, 0.01}, kCoarse{0.45, 0.002}, kBoundaryIntegrals{0.5, 8e-4},
+constexpr Calibration kCoarsest{1.3, 0.01}, kCoarse{0.65, 0.002}, kBoundaryIntegrals{0.65, 8e-4},
     kLattice{1, 1e-3};
 /// On the coarsest mesh both rungs lack the dimples of a red cell.
 constexpr Calibration kCoarsestDimples{1.3, 0.04};

@@ -102,7 +102,7 @@ def rows_of(ladders):
 
 
 # Factor and floor of Q, as in solver/observe/error_estimate.cpp.
-COARSEST, COARSE, BOUNDARY_INTEGRALS, LATTICE = (1.3, 0.01), (0.45, 0.002), (0.5, 8e-4), (1, 1e-3)
+COARSEST, COARSE, BOUNDARY_INTEGRALS, LATTICE = (1.3, 0.01), (0.65, 0.002), (0.65, 8e-4), (1, 1e-3)
 COARSEST_DIMPLES = (1.3, 0.04)
 LATTICE_THIN, COARSE_LATTICE_VISCOUS = (1.4, 1e-3), (6, 1e-3)
 WITHOUT_BENDING, BEGINS_TO_WRINKLE, FOLDED = (0.9, 2e-3), (1.5, 0.05), (1.5, 0.2)
