@@ -82,11 +82,10 @@ std::optional<Case> companion_of(const Case& c) {
 }
 
 Case at_first_rung(const Case& c) {
-  constexpr double kBold = 2;  // a rung that is too coarse costs little beside the next one
   Case rung = c;
   for (const Rung& each : rungs_of(c)) {
     rung = at(c, each);
-    if (each.usual_error <= kBold * c.fidelity.error && fits_box(rung) && coarser(rung)) break;
+    if (each.usual_error <= c.fidelity.error && fits_box(rung) && coarser(rung)) break;
   }
   return rung;
 }
