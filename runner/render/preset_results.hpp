@@ -19,9 +19,9 @@ struct PresetResult {
 
 inline constexpr auto kPresetResults = std::to_array<PresetResult>({
     {"fast", "stokes", 0.11, 0.004},
-    {"standard", "stokes", 1.6, std::nullopt},
-    {"fast", "quasisteady", 0.94, 0.021},
-    {"standard", "quasisteady", 3.1, 0.032},
+    {"standard", "stokes", 2, std::nullopt},
+    {"fast", "quasisteady", 0.3, 0.021},
+    {"standard", "quasisteady", 1.9, 0.031},
 });
 
 }  // namespace capstan
