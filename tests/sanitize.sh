@@ -7,6 +7,6 @@ cd "$(dirname "$0")/.."
 sh runner/install_packages.sh clang libclang-rt-14-dev libomp-14-dev
 cmake --preset sanitize
 cmake --build --preset sanitize
-# The tests left out take minutes here; others call the same functions.
+# Two tests are left out, because they take minutes with the sanitizers. Other tests call the same functions.
 long="SingleLayer.IsPositiveOnStretchedElements|Simulation.OfAStiffMembraneShortensAStepWhoseFlowIsNotFinite"
 ctest --preset sanitize -j "$(nproc)" -E "$long" "$@"

@@ -1,5 +1,6 @@
 #pragma once
-// If another case has made the same steps up to an earlier end, a case starts at that end instead of kt = 0.
+// A case can start from the last state of another one instead of from kt = 0, if both take the same steps and
+// the other one ended earlier.
 #include <optional>
 #include <string>
 

@@ -13,9 +13,9 @@ namespace capstan {
 std::optional<FinishedRun> compute_run(const Case& c, const Choices& choices, const RunDirectory& directory,
                                        double end_seconds);
 
-/// The run of a case at another rung of the ladder, in the directory of that rung, which
-/// then holds all files of a finished run. While it is computed, the history of the case is a link to that of
-/// the rung.
+/// Computes a case at another rung of the ladder, in a directory of its own, which holds the same files as
+/// that of any finished run. Meanwhile the file with the history of the case is a link to the one of the
+/// rung.
 std::optional<FinishedRun> compute_rung(const Case& rung, const RunDirectory& of_case, double end_seconds);
 
 /// Adds the computing time of another run of the same case.

@@ -69,8 +69,7 @@ Case on_lattice(Case c, const Resolution& resolution) {
   c.Re = kDefaultRe;
   c.fluid = lattice_for(c.Re);
   c.fidelity = {.dx = resolution.dx, .nodes = resolution.nodes, .tolerance = usual_tolerance(resolution.dx)};
-  c.fidelity.stepper = default_stepper(c);
-  c.fidelity.kdt = c.fidelity.stepper == Stepper::adams_bashforth ? default_kdt(c) : 0;
+  choose_time_step(c);
   return c;
 }
 

@@ -19,14 +19,15 @@ double kdt_of_stepper(const Case& c);
 /// Gives a case the stepper and the time step that it has by default.
 void choose_time_step(Case& c);
 
-/// Flow solutions of rkc2 a unit of kt, for its longest accurate step (0.1; up to 0.2 for soft membranes): as
-/// many stages as the fastest decay requires, at least 3.
+/// Flow solutions that rkc2 takes in a unit of kt. Its longest accurate step is 0.1, for soft membranes up to
+/// 0.2. A step takes one flow solution a stage; stability at the fastest decay rate sets the number of
+/// stages.
 double rkc2_flows(const Case& c);
 
 /// Processor time of a flow solution of rkc2 on a lattice, over that of ab2. Flows of ab2 are extrapolated
 /// from equal steps and take one cycle; those of the stages of rkc2 start from the last solution and take
-/// about two. With this factor 16 of 17 spheres, spheroids and red cells (dx = 0.2, kt = 20) got the stepper
-/// that took less time, or one that took at most 15 % more.
+/// about two. Measured at dx = 0.2 to kt = 20: the stepper that follows from this factor takes less time than
+/// the other one, or at most 15 % more, for 16 of 17 spheres, spheroids and red cells.
 inline constexpr double kRkc2Cost = 1.6;
 
 /// The stepper that takes less processor time. ab2 only on a lattice, and only where its accurate steps are

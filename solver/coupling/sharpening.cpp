@@ -15,8 +15,8 @@ struct Rows {
   const double *row, *below, *above, *before, *behind;
 };
 
-/// second[i] = sum of the six neighbours of the cell i - 6 times the cell. Beyond the ends of the row is
-/// zero.
+/// second[i] = sum of the six neighbours of the cell i - 6 times the cell. Beyond the ends of the row the
+/// field is zero.
 CAPSTAN_VECTOR_UNITS void put_second_differences(const Rows& rows, int count, double* __restrict second) {
   const double *row = rows.row, *below = rows.below, *above = rows.above, *before = rows.before,
                *behind = rows.behind;
@@ -29,14 +29,15 @@ CAPSTAN_VECTOR_UNITS void put_second_differences(const Rows& rows, int count, do
   if (count > 1) at_end(count - 1, row[count - 2]);
 }
 
-/// Calls visit(rows, component, y, z) for all rows of a field. `nothing` is the row outside of the box.
+/// Calls visit(rows, component, y, z) for all rows of a field. `zeros` stands for the rows outside of the
+/// box.
 template <class Visit>
-void for_each_row_and_its_neighbours(const VectorField& field, const double* nothing, Visit visit) {
+void for_each_row_and_its_neighbours(const VectorField& field, const double* zeros, Visit visit) {
   const IndexBox& box = field.box();
   for_each_row_in_order(box, [&](int y, int z) {
     for (int c = 0; c < 3; ++c) {
       const auto row = [&](int at_y, int at_z) {
-        return box.has_row(at_y, at_z) ? field.row(c, at_y, at_z) : nothing;
+        return box.has_row(at_y, at_z) ? field.row(c, at_y, at_z) : zeros;
       };
       visit(Rows{row(y, z), row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1)}, c, y, z);
     }
@@ -60,12 +61,12 @@ void Sharpening::apply(VectorField& field) {
   const IndexBox& box = field.box();
   const int count = box.size(0);
   once_.reset(box);
-  nothing_.assign(std::size_t(count), 0);
+  zeros_.assign(std::size_t(count), 0);
   twice_.resize(std::size_t(count));
-  for_each_row_and_its_neighbours(field, nothing_.data(), [&](const Rows& rows, int c, int y, int z) {
+  for_each_row_and_its_neighbours(field, zeros_.data(), [&](const Rows& rows, int c, int y, int z) {
     put_second_differences(rows, count, once_.row(c, y, z));
   });
-  for_each_row_and_its_neighbours(once_, nothing_.data(), [&](const Rows& rows, int c, int y, int z) {
+  for_each_row_and_its_neighbours(once_, zeros_.data(), [&](const Rows& rows, int c, int y, int z) {
     put_second_differences(rows, count, twice_.data());
     add_differences(rows.row, twice_.data(), count, field.row(c, y, z));
   });

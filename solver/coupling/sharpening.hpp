@@ -27,8 +27,8 @@ class Sharpening {
   void apply(VectorField& field);
 
  private:
-  VectorField once_;                     ///< scratch: delta^2 field
-  std::vector<double> nothing_, twice_;  ///< scratch: a row of zeros; a row of delta^2 delta^2 field
+  VectorField once_;                   ///< scratch: delta^2 field
+  std::vector<double> zeros_, twice_;  ///< scratch: a row of zeros; a row of delta^2 delta^2 field
 };
 
 }  // namespace capstan

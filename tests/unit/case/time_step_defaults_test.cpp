@@ -45,7 +45,7 @@ TEST(TimeStepDefaults, StifferOnesWithAb2TakeHalfOfTheStableStep) {
   }
 }
 
-// At (2, 10) the terms of elasticity alone give 2.
+// At Ca = 2, V = 10 elasticity alone would give a decay rate of 2.
 TEST(TimeStepDefaults, AContrastOfViscositiesLimitsTheStepHoweverSoftTheMembraneIs) {
   const std::string soft = R"("shape": "biconcave", "law": "skalak", "C": 5, "E_b": 0.015, "Ca": 2)";
   EXPECT_GT(fastest_decay(on_lattice(soft + R"(, "V": 10)")), 10);

@@ -16,7 +16,8 @@ void expect_nested(const Domain& domain, const std::vector<IndexBox>& boxes, con
   for (std::size_t i = 0; i + 1 < boxes.size(); ++i) {
     const IndexBox parents = coarsened(boxes[i]);
     EXPECT_EQ(refined(parents), boxes[i]) << "grid " << i << " is not made of whole coarse cells";
-    // interpolation needs two more coarse cells beyond a side; at a side of the domain the second is a ghost
+    // The ghosts beyond a side are interpolated from two more coarse cells. Next to a side of the domain the
+    // second of them is a ghost of the coarse grid.
     for (int axis = 0; axis < 3; ++axis) {
       const IndexBox all = domain.box(int(i) + 1);
       EXPECT_LE(boxes[i + 1].lo[axis], std::max(parents.lo[axis] - 2, all.lo[axis]));

@@ -64,7 +64,8 @@ TEST(QuasisteadyFlow, GivesTheVelocitiesOfTheUniformGridToOnePartInAThousand) {
 
 constexpr double kNarrowBox = 9.6;
 
-/// The grids around a red cell of this half-length in a narrow box, with the velocities of the uniform grid.
+/// Solves for the flow around a red cell that is stretched to this half-length, checks its velocities against
+/// those on the uniform grid, and returns the grids.
 std::vector<MomentGrid<double>> grids_around(double half_length) {
   RedCell cell;
   cell.positions.row(0) *= half_length / cell.positions.row(0).maxCoeff();
@@ -88,7 +89,7 @@ TEST(QuasisteadyFlow, BoxThatSpansTheDomainInXOnlyConvergesToTheVelocitiesOfTheU
   EXPECT_GT(spanning, 0);
 }
 
-// Interpolation at such a side reads a ghost of the domain.
+// The ghosts of such a side are interpolated from the last coarse cell of the domain and the ghost beyond it.
 TEST(QuasisteadyFlow, BoxThatEndsTwoCellsBeforeTheDomainConvergesToTheVelocitiesOfTheUniformGrid) {
   EXPECT_EQ(grids_around(2.7).front().box().hi[0], 22);  // of 24
 }
