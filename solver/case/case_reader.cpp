@@ -173,7 +173,7 @@ void CaseReader::check_effects() {
 
 void CaseReader::check_grid() {
   if (const std::string issue = issue_of_grid(case_); !issue.empty()) add_issue("/fidelity", issue);
-  if (case_.fidelity.error > 0 && !coarser(case_))
+  if (case_.fidelity.error > 0 && !rung_below(case_))
     add_issue("/fidelity/box", "is " + shown(case_.fidelity.box) +
                                    ", which does not fit two lattices of the ladder; take a multiple of 3.2");
 }

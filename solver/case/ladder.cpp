@@ -12,15 +12,18 @@ namespace {
 
 struct Rung {
   int nodes;
-  double box_parts;    ///< 12.8 / dx of a lattice
-  double usual_error;  ///< estimated error of Q, median of random scenes (studies/calibration)
+  double box_parts;     ///< 12.8 / dx of a lattice
+  double usual_error;   ///< of Q as estimated from the next coarser rung; median of random scenes
+                        ///< (studies/calibration)
+  double of_red_cells;  ///< the same
 };
 
-constexpr Rung kStokes[] = {{42, 0, 0.1},     {92, 0, 0.05},     {162, 0, 0.025},
-                            {362, 0, 0.006},  {642, 0, 0.003},   {1442, 0, 0.0015},
-                            {2562, 0, 0.001}, {5762, 0, 0.0009}, {10242, 0, 0.0008}};
-constexpr Rung kLattice[] = {{162, 32, 0.2},    {362, 48, 0.1},    {642, 64, 0.05},    {1442, 96, 0.03},
-                             {2562, 128, 0.02}, {5762, 192, 0.01}, {10242, 256, 0.005}};
+constexpr Rung kStokes[] = {{42, 0, 0.1, 0.3},        {92, 0, 0.03, 0.2},        {162, 0, 0.007, 0.1},
+                            {362, 0, 0.003, 0.017},   {642, 0, 0.0015, 0.007},   {1442, 0, 0.0009, 0.0025},
+                            {2562, 0, 0.0008, 0.001}, {5762, 0, 0.0008, 0.0009}, {10242, 0, 0.0008, 0.0008}};
+constexpr Rung kLattice[] = {{162, 32, 0.05, 0.1},      {362, 48, 0.02, 0.04},      {642, 64, 0.012, 0.02},
+                             {1442, 96, 0.007, 0.01},   {2562, 128, 0.0045, 0.008}, {5762, 192, 0.003, 0.006},
+                             {10242, 256, 0.002, 0.004}};
 
 /// The rungs from the coarsest to the finest.
 std::span<const Rung> rungs_of(const Case& c) {
@@ -29,6 +32,11 @@ std::span<const Rung> rungs_of(const Case& c) {
 }
 
 bool fits_box(const Case& c) { return !c.has_grid() || issue_of_grid(c).empty(); }
+
+double usual_error(const Case& c) {
+  const Rung& rung = *std::ranges::find(rungs_of(c), c.fidelity.nodes, &Rung::nodes);
+  return c.shape == Shape::biconcave ? rung.of_red_cells : rung.usual_error;
+}
 
 void set_spacing(Case& c, double dx) {
   const double before = c.fidelity.dx;
@@ -81,32 +89,44 @@ std::optional<Case> companion_of(const Case& c) {
   return companion;
 }
 
+std::optional<Case> rung_below(const Case& c) {
+  std::optional<Case> below;
+  for (const Rung& each : rungs_of(c)) {
+    const Case candidate = at(c, each);
+    if (each.nodes < c.fidelity.nodes && fits_box(candidate)) below = candidate;
+  }
+  return below;
+}
+
+std::optional<Case> rung_above(const Case& c) {
+  for (const Rung& each : rungs_of(c)) {
+    const Case candidate = at(c, each);
+    if (each.nodes > c.fidelity.nodes && fits_box(candidate)) return candidate;
+  }
+  return std::nullopt;
+}
+
 Case at_first_rung(const Case& c) {
+  constexpr double kLargest = 4;
   Case rung = c;
   for (const Rung& each : rungs_of(c)) {
     rung = at(c, each);
-    if (each.usual_error <= c.fidelity.error && fits_box(rung) && coarser(rung)) break;
+    if (usual_error(rung) <= kLargest * c.fidelity.error && fits_box(rung) && rung_below(rung)) break;
   }
   return rung;
 }
 
-std::optional<Case> next_rung(const Case& rung, std::optional<double> estimate, double asked) {
-  constexpr double kMuch = 3;
-  int steps = estimate && *estimate > kMuch * asked ? 2 : 1;
-  std::optional<Case> next;
-  for (const Rung& each : rungs_of(rung)) {
-    const Case candidate = at(rung, each);
-    if (each.nodes <= rung.fidelity.nodes || !fits_box(candidate) || !coarser(candidate)) continue;
-    next = candidate;
-    if (--steps == 0) break;
-  }
-  return next;
-}
-
 std::vector<Case> usual_runs(const Case& c) {
+  const Case run = single_run(c);
   std::vector<Case> runs;
-  if (const auto companion = companion_of(c)) runs.push_back(*companion);
-  runs.push_back(single_run(c));
+  if (const auto coarse = c.fidelity.error > 0 ? rung_below(run) : companion_of(c)) runs.push_back(*coarse);
+  runs.push_back(run);
+  if (c.fidelity.error == 0) return runs;
+  while (usual_error(runs.back()) > c.fidelity.error) {
+    const auto finer = rung_above(runs.back());
+    if (!finer) break;
+    runs.push_back(*finer);
+  }
   return runs;
 }
 

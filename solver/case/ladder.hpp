@@ -28,17 +28,17 @@ Case single_run(const Case& c);
 /// switches it off or there is no such rung.
 std::optional<Case> companion_of(const Case& c);
 
+/// The same scene at the next coarser or finer rung. Nothing if there is none whose lattice fits the box.
+std::optional<Case> rung_below(const Case& c);
+std::optional<Case> rung_above(const Case& c);
+
 /// The case at the first rung to be tried for an error of `c.fidelity.error`: the coarsest whose usual error
-/// is not larger, of those with a companion.
+/// is at most four times as large, of those with a rung below. Many scenes are resolved better than usual,
+/// and all coarser rungs together cost less than the last.
 Case at_first_rung(const Case& c);
 
-/// The rung to be tried after one whose estimated error was too large: the second next one if it was more
-/// than three times too large, else the next one. From one rung to the next the error falls by a factor of
-/// two, estimates on coarse meshes by more. Nothing at the finest rung. \param estimate  nothing if it is
-/// unknown
-std::optional<Case> next_rung(const Case& rung, std::optional<double> estimate, double asked);
-
-/// All runs that a case usually takes, the companion first; for an error asked for, those of its first rung.
+/// All runs that a case usually takes, the coarsest first. For an error asked for: the run below the first
+/// rung, and the rungs up to one whose usual error is small enough.
 std::vector<Case> usual_runs(const Case& c);
 
 }  // namespace capstan

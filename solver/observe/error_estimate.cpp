@@ -1,6 +1,7 @@
 #include "solver/observe/error_estimate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,22 +12,60 @@ namespace capstan {
 namespace {
 
 struct Calibration {
-  double factor;  ///< true error over distance to the companion: at most this in 97 % of the random scenes
-  double floor;   ///< of Q: where the two rungs agree better than this, they do so by chance
+  double factor;  ///< true error over the extrapolated one: at most this in 97 % of the random scenes
+  double floor;   ///< of Q: where the two runs agree better than this, they do so by chance
 };
 
-constexpr Calibration kCoarsest{1.3, 0.01}, kCoarse{0.65, 0.002}, kBoundaryIntegrals{0.65, 8e-4},
-    kLattice{1, 1e-3};
-/// On the coarsest mesh both rungs lack the dimples of a red cell.
-constexpr Calibration kCoarsestDimples{1.3, 0.04};
+struct RungCalibration {
+  int nodes;  ///< of the finest rung that it is for
+  Calibration usual;
+  double floor_of_red_cells;  ///< coarse meshes lack their dimples
+};
+
+/// Of scenes that converge slowly or not at all.
+struct WrinkleCalibration {
+  Calibration without_bending;            ///< finer meshes have finer wrinkles
+  Calibration begins_to_wrinkle, folded;  ///< wrinkles as wide as the mesh do not converge
+};
+
+struct BoundaryIntegrals {
+  std::array<RungCalibration, 4> rungs;
+  WrinkleCalibration wrinkles;
+};
+
+constexpr int kFinest = std::numeric_limits<int>::max();
+constexpr BoundaryIntegrals kTwiceTheSpacing{
+    .rungs = {{{162, {3.9, 0.01}, 0.04}, {362, {1.95, 0.002}, 0.002}, {kFinest, {1.95, 8e-4}, 8e-4}}},
+    .wrinkles = {.without_bending = {2.7, 2e-3}, .begins_to_wrinkle = {4.5, 0.05}, .folded = {4.5, 0.2}}};
+constexpr BoundaryIntegrals kNextRung{
+    .rungs = {{{92, {2.5, 0.01}, 0.04},
+               {162, {1.3, 0.003}, 0.02},
+               {362, {1.3, 0.0015}, 0.0015},
+               {kFinest, {1.3, 8e-4}, 8e-4}}},
+    .wrinkles = {.without_bending = {1.6, 3e-3}, .begins_to_wrinkle = {2.2, 0.05}, .folded = {2.2, 0.2}}};
+constexpr double kWrinkling = 40;  // degrees
+
 /// In a thin inner fluid the error falls more slowly with the spacing. Coarse lattices resolve red cells with
 /// a viscous inner fluid so poorly that two rungs can agree on the wrong motion.
-constexpr Calibration kLatticeThin{1.4, 1e-3}, kCoarseLatticeViscous{6, 1e-3};
-/// Without bending stiffness finer meshes have finer wrinkles.
-constexpr Calibration kWithoutBending{0.9, 2e-3}, kBeginsToWrinkle{1.5, 0.05};
-constexpr double kWrinkling = 40;  // degrees
-/// Wrinkles as wide as the mesh do not converge.
-constexpr Calibration kFolded{1.5, 0.2};
+constexpr Calibration kLattice{1, 1e-3}, kLatticeThin{1.4, 1e-3}, kCoarseLatticeViscous{6, 1e-3};
+constexpr WrinkleCalibration kWrinklesOnLattice{
+    .without_bending = {0.9, 2e-3}, .begins_to_wrinkle = {1.5, 0.05}, .folded = {1.5, 0.2}};
+
+/// Of the spacings of two rungs.
+double ratio_of_spacings(const Case& run, const Case& coarser) {
+  return std::sqrt((run.fidelity.nodes - 2.) / (coarser.fidelity.nodes - 2.));
+}
+
+const BoundaryIntegrals& boundary_integrals(const Case& run, const Case& coarser) {
+  constexpr double kNeighbours = 1.75;
+  return ratio_of_spacings(run, coarser) < kNeighbours ? kNextRung : kTwiceTheSpacing;
+}
+
+/// The error of order p, over the distance.
+double extrapolated(const Case& run, const Case& coarser) {
+  const double ratio = ratio_of_spacings(run, coarser);
+  return 1 / ((run.has_grid() ? ratio : ratio * ratio) - 1);
+}
 
 Calibration calibration_of_lattice(const Case& c) {
   constexpr double kThin = 0.2, kViscous = 6.5, kCoarseSpacing = 0.15;
@@ -35,23 +74,32 @@ Calibration calibration_of_lattice(const Case& c) {
   return is_viscous && c.fidelity.dx > kCoarseSpacing ? kCoarseLatticeViscous : kLattice;
 }
 
-Calibration calibration_of_rung(const Case& c) {
-  if (c.has_grid()) return calibration_of_lattice(c);
-  if (c.fidelity.nodes <= 162) return c.shape == Shape::biconcave ? kCoarsestDimples : kCoarsest;
-  return c.fidelity.nodes < 642 ? kCoarse : kBoundaryIntegrals;
+Calibration calibration_of_rung(const Case& c, const BoundaryIntegrals& calibration) {
+  const auto& rung = *std::ranges::find_if(
+      calibration.rungs, [&](const RungCalibration& each) { return c.fidelity.nodes <= each.nodes; });
+  return {rung.usual.factor, c.shape == Shape::biconcave ? rung.floor_of_red_cells : rung.usual.floor};
 }
 
 Calibration larger(const Calibration& a, const Calibration& b) {
   return {std::max(a.factor, b.factor), std::max(a.floor, b.floor)};
 }
 
-Calibration calibration_of(const EstimatedRun& run) {
-  Calibration calibration = calibration_of_rung(run.parameters);
+Calibration calibration_of(const EstimatedRun& run, const Calibration& of_rung,
+                           const WrinkleCalibration& wrinkles) {
+  Calibration calibration = of_rung;
   const bool has_bending = run.parameters.has_bending();
-  if (!has_bending) calibration = larger(calibration, kWithoutBending);
-  if (!has_bending && run.largest_dihedral > kWrinkling) calibration = larger(calibration, kBeginsToWrinkle);
-  if (run.largest_dihedral > kFoldedEdge) calibration = larger(calibration, kFolded);
+  if (!has_bending) calibration = larger(calibration, wrinkles.without_bending);
+  if (!has_bending && run.largest_dihedral > kWrinkling)
+    calibration = larger(calibration, wrinkles.begins_to_wrinkle);
+  if (run.largest_dihedral > kFoldedEdge) calibration = larger(calibration, wrinkles.folded);
   return calibration;
+}
+
+Calibration calibration_of(const EstimatedRun& run, const Case& coarser) {
+  const Case& c = run.parameters;
+  if (c.has_grid()) return calibration_of(run, calibration_of_lattice(c), kWrinklesOnLattice);
+  const BoundaryIntegrals& calibration = boundary_integrals(c, coarser);
+  return calibration_of(run, calibration_of_rung(c, calibration), calibration.wrinkles);
 }
 
 /// NaN if the distance is.
@@ -61,23 +109,24 @@ double larger_unless_unknown(double distance, double other) {
 
 }  // namespace
 
-ErrorEstimate estimated_error(const EstimatedRun& run, const Distance& to_companion) {
+ErrorEstimate estimated_error(const EstimatedRun& run, const Case& coarser, const Distance& distance) {
   constexpr double kFewTurns = 0.5, kLargest = 2;  // two Q differ by less, since |Q| < 1
-  const Calibration calibration = calibration_of(run);
-  const double longer = to_companion.until_kt > 0 ? std::max(1., run.kt / to_companion.until_kt)
-                                                  : std::numeric_limits<double>::quiet_NaN();
-  const double Q = std::clamp(longer * calibration.factor * to_companion.Q, calibration.floor, kLargest);
-  const auto scaled = [&](double distance, double least) {
-    return larger_unless_unknown(longer * calibration.factor * distance, least);
+  const Calibration calibration = calibration_of(run, coarser);
+  const double longer = distance.until_kt > 0 ? std::max(1., run.kt / distance.until_kt)
+                                              : std::numeric_limits<double>::quiet_NaN();
+  const double factor = longer * calibration.factor * extrapolated(run.parameters, coarser);
+  const double Q = std::clamp(factor * distance.Q, calibration.floor, kLargest);
+  const auto scaled = [&](double of_distance, double least) {
+    return larger_unless_unknown(factor * of_distance, least);
   };
   return {.Q = std::isnan(longer) ? longer : Q,
-          .D_xy = scaled(to_companion.D_xy, 0.75 * Q),
-          .theta = std::min(scaled(to_companion.theta, 2 * Q), std::numbers::pi / 2),
-          .period = scaled(to_companion.period, 3 * Q / std::max(kFewTurns, run.half_turns))};
+          .D_xy = scaled(distance.D_xy, 0.75 * Q),
+          .theta = std::min(scaled(distance.theta, 2 * Q), std::numbers::pi / 2),
+          .period = scaled(distance.period, 3 * Q / std::max(kFewTurns, run.half_turns))};
 }
 
-bool is_confirmed(Motion motion, double margin, Motion of_companion, const ErrorEstimate& error) {
-  return motion != Motion::undecided && motion == of_companion && error.Q < margin;
+bool is_confirmed(Motion motion, double margin, Motion of_coarser, const ErrorEstimate& error) {
+  return motion != Motion::undecided && motion == of_coarser && error.Q < margin;
 }
 
 }  // namespace capstan

@@ -1,6 +1,6 @@
 #pragma once
-// The error of a run, estimated from its distance to the same run at the rung below of the ladder
-// (ladder.hpp).
+// The error of a run, estimated from its distance to a run of the same case at a coarser rung of the ladder
+// (ladder.hpp): at twice the spacing, its companion, or at the next rung.
 #include "solver/case/case.hpp"
 #include "solver/observe/distance.hpp"
 #include "solver/observe/motion.hpp"
@@ -20,17 +20,20 @@ struct EstimatedRun {
   double largest_dihedral = 0;  ///< degrees between the normals of neighbouring triangles, over the whole run
 };
 
-/// The distance to the companion times a factor, and not less than a smallest error. Both were calibrated for
-/// each flow model and rung on random scenes, so that at least 95 % of the true errors are smaller
-/// (studies/calibration). If the companion ended earlier than the run, the error is taken to grow in
-/// proportion to time.
+/// If the error is proportional to h^p, the run with the spacing rho h is at the distance (rho^p - 1) times
+/// the error of the run with h; p = 2 for boundary integrals, 1 for lattices. The estimate is the error that
+/// follows, times a factor, and not less than a smallest error. Both were calibrated for each flow model and
+/// rung on random scenes, so that at least 95 % of the true errors are smaller (studies/calibration). Two
+/// neighbouring rungs need smaller factors: their errors differ less in form. If the coarser run ended
+/// earlier, the error is taken to grow in proportion to time.
 ///
 /// Deformation, angle and period of two rungs may agree by chance where Q does not: their errors are taken
 /// from Q, too.
-ErrorEstimate estimated_error(const EstimatedRun& run, const Distance& to_companion);
+/// \param distance  of the two runs
+ErrorEstimate estimated_error(const EstimatedRun& run, const Case& coarser, const Distance& distance);
 
-/// A label that can be relied upon: the companion has the same one, and the error is less than the one that
+/// A label that can be relied upon: the coarser run has the same one, and the error is less than the one that
 /// the label tolerates. \param margin  of the evidence (classify.hpp)
-bool is_confirmed(Motion motion, double margin, Motion of_companion, const ErrorEstimate& error);
+bool is_confirmed(Motion motion, double margin, Motion of_coarser, const ErrorEstimate& error);
 
 }  // namespace capstan

@@ -33,7 +33,8 @@ EstimatedRun estimated(const FinishedRun& run) {
 }
 
 ErrorEstimate estimate(const FinishedRun& run, const FinishedRun& companion) {
-  return estimated_error(estimated(run), distance_between(run.history, companion.history));
+  return estimated_error(estimated(run), companion.parameters,
+                         distance_between(run.history, companion.history));
 }
 
 ordered_json description(const FinishedRun& run) {

@@ -172,6 +172,17 @@ TEST_F(SolveTest, AnErrorThatTheFinestRungDoesNotMeetIsAWarning) {
               HasSubstr("the error asked for, 0.0006, was not met"));
 }
 
+// 0.0005 is less than the smallest error that is ever stated.
+TEST_F(SolveTest, AClimbEndsWhereFinerRungsComeNoNearer) {
+  ASSERT_EQ(solve(write_case(R"({"Ca": 0.1, "E_b": 0.01, "fluid": "stokes", "until": {"kt": 0.2},
+    "fidelity": {"error": 0.0005}, "outputs": {"shapes_every": 0}})"),
+                  "climb"),
+            0);
+  EXPECT_EQ(result("climb")["error"]["met"], false);
+  EXPECT_LT(result("climb")["error"]["nodes"], 5762);
+  EXPECT_THAT(result("climb")["trust"]["warnings"].dump(), HasSubstr("does not fall any further"));
+}
+
 // As nohup does.
 TEST_F(SolveTest, ClosedTerminalDoesNotStopARunThatIgnoresSighup) {
   const fs::path case_file = write_case(kQuick);

@@ -45,26 +45,23 @@ TEST(Ladder, EndsAtItsCoarsestRung) {
   EXPECT_FALSE(coarser(lattice(R"({"nodes": 162, "dx": 0.4})")));
 }
 
-TEST(Ladder, NextRungIsTheSecondNextWhereTheErrorIsMuchTooLarge) {
-  const auto next = [](const char* nodes, std::optional<double> estimate) {
-    return next_rung(stokes(R"({"nodes": )" + std::string(nodes) + "}"), estimate, 0.01)->fidelity.nodes;
-  };
-  EXPECT_EQ(next("162", std::nullopt), 362);
-  EXPECT_EQ(next("162", 0.011), 362);
-  EXPECT_EQ(next("162", 0.031), 642);
-  EXPECT_EQ(next("362", 0.031), 1442);
-  EXPECT_EQ(next("5762", 1.0), 10242) << "the finest";
-  EXPECT_FALSE(next_rung(stokes(R"("fine")"), 0.02, 0.01));
+TEST(Ladder, HasTwoRungsBetweenASpacingAndItsHalf) {
+  const Case fast = stokes(R"("fast")");
+  EXPECT_EQ(rung_below(fast)->fidelity.nodes, 362);
+  EXPECT_EQ(rung_above(fast)->fidelity.nodes, 1442);
+  EXPECT_EQ(rung_below(*rung_below(fast))->fidelity.nodes, coarser(fast)->fidelity.nodes);
+  EXPECT_FALSE(rung_above(stokes(R"("fine")")));
+  EXPECT_FALSE(rung_below(stokes(R"({"nodes": 42})")));
 }
 
 TEST(Ladder, OfLatticesHasSpacingsThatFitTheBox) {
-  std::optional<Case> rung = lattice(R"({"error": 0.2})");
-  for (const int cells : {64, 96, 128, 192, 256}) {
-    while (rung && std::lround(12.8 / rung->fidelity.dx) < cells) rung = next_rung(*rung, std::nullopt, 0.01);
+  std::optional<Case> rung = lattice(R"({"nodes": 162, "dx": 0.4})");
+  for (const int cells : {48, 64, 96, 128, 192, 256}) {
+    rung = rung_above(*rung);
     ASSERT_TRUE(rung);
     EXPECT_EQ(std::lround(12.8 / rung->fidelity.dx), cells);
   }
-  EXPECT_FALSE(next_rung(*rung, std::nullopt, 0.01));
+  EXPECT_FALSE(rung_above(*rung));
 }
 
 TEST(Ladder, HasNoRungThatDoesNotFitTheBox) {
@@ -86,13 +83,28 @@ TEST(Companion, CostsAtMostAThirdOfTheRun) {
     EXPECT_LE(case_cost(c), 1.34 * run_cost(c));
 }
 
-TEST(FirstRung, IsTheCoarsestWhoseUsualErrorIsSmallEnough) {
-  const auto nodes_for = [](const char* error) {
-    return stokes(R"({"error": )" + std::string(error) + "}").fidelity.nodes;
+TEST(FirstRung, IsFinerForASmallerErrorAndForARedCell) {
+  const auto nodes_for = [](const std::string& error) {
+    return stokes(R"({"error": )" + error + "}").fidelity.nodes;
   };
-  EXPECT_EQ(nodes_for("0.5"), 162);  // 42 and 92 nodes have no companion
-  EXPECT_LT(nodes_for("0.02"), nodes_for("0.002"));
-  EXPECT_LT(nodes_for("0.002"), nodes_for("0.0006"));
+  EXPECT_EQ(nodes_for("0.5"), 92);  // below 42 nodes there is no rung
+  EXPECT_LT(nodes_for("0.05"), nodes_for("0.005"));
+  EXPECT_LT(nodes_for("0.005"), nodes_for("0.0005"));
+  EXPECT_LT(
+      nodes_for("0.01"),
+      parsed_case(R"({"Ca": 0.1, "shape": "biconcave", "fluid": "stokes", "fidelity": {"error": 0.01}})")
+          .fidelity.nodes);
+}
+
+TEST(UsualRuns, ForAnErrorAskedForAreRungsOneAfterTheOther) {
+  const std::vector<Case> runs = usual_runs(stokes(R"({"error": 0.003})"));
+  ASSERT_GE(runs.size(), 3u);
+  for (std::size_t i = 1; i < runs.size(); ++i) EXPECT_EQ(rung_above(runs[i - 1]), runs[i]);
+}
+
+TEST(UsualRuns, WithoutAnErrorAskedForAreTheCompanionAndTheRun) {
+  const Case fast = stokes(R"("fast")");
+  EXPECT_EQ(usual_runs(fast), (std::vector<Case>{*companion_of(fast), single_run(fast)}));
 }
 
 TEST(ErrorAskedFor, ReplacesTheSettingsOfTheResolution) {
