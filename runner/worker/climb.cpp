@@ -24,7 +24,8 @@ struct Climb {
   std::optional<Pair> best;        ///< the finest with an answer, or the first
   std::optional<double> estimate;  ///< of the last rung
   double seconds = 0;              ///< of all runs
-  bool is_met = false, is_stalled = false, is_interrupted = false;
+  bool is_met = false, is_interrupted = false;
+  std::string why_no_finer;  ///< not empty: finer rungs would not help
 };
 
 std::string resolution_of(const Case& rung) {
@@ -48,11 +49,19 @@ std::optional<FinishedRun> run_of(const Case& rung, const RunDirectory& director
   return run;
 }
 
-/// Whether finer rungs are not expected to come nearer: from 1442 nodes on errors fall from rung to rung,
-/// unless the membrane wrinkles, or the estimate is the smallest that is ever given.
-bool stalls(const Case& rung, std::optional<double> estimate, std::optional<double> before) {
+/// Why finer rungs are not expected to come nearer; empty if they are. From 1442 nodes on errors fall from
+/// rung to rung, unless the membrane wrinkles, or the estimate is the smallest that is ever given.
+std::string why_no_finer(const FinishedRun& run, std::optional<double> estimate,
+                         std::optional<double> before) {
   constexpr int kFine = 1442;
-  return rung.fidelity.nodes >= kFine && estimate && before && *estimate >= *before;
+  if (run.parameters.fidelity.nodes < kFine) return "";
+  if (!run.is_answered())
+    return "and the run with " + resolution_of(run.parameters) +
+           " failed: " + run.result["message"].get<std::string>();
+  if (estimate && before && *estimate >= *before)
+    return "and it does not fall any further with the resolution: the membrane wrinkles, where a bending "
+           "stiffness E_b helps, or so small an error cannot be told";
+  return "";
 }
 
 void judge(const FinishedRun& run, const FinishedRun& below, double error, Climb& climb) {
@@ -60,7 +69,7 @@ void judge(const FinishedRun& run, const FinishedRun& below, double error, Climb
   climb.estimate = estimate_of(run, below);
   print_error(climb.estimate);
   climb.is_met = climb.estimate && *climb.estimate <= error;
-  climb.is_stalled = !climb.is_met && stalls(run.parameters, climb.estimate, before);
+  climb.why_no_finer = why_no_finer(run, climb.estimate, before);
   if (!climb.best || run.is_answered()) climb.best = Pair{run, below};
 }
 
@@ -68,7 +77,7 @@ Climb climb_to(double error, const Case& first, const RunDirectory& directory, d
   Climb climb;
   auto below = run_of(rung_below(first).value(), directory, end_seconds, climb);
   std::optional<Case> rung = first;
-  while (rung && below && !climb.is_met && !climb.is_stalled) {
+  while (rung && below && !climb.is_met && climb.why_no_finer.empty()) {
     auto run = run_of(*rung, directory, end_seconds, climb);
     if (run) judge(*run, *below, error, climb);
     below = std::move(run);
@@ -86,17 +95,14 @@ ordered_json accuracy_of(const Climb& climb, double asked) {
   return shown;
 }
 
-std::string why_no_finer(const Climb& climb) {
-  return climb.is_stalled ? "and it does not fall any further with the resolution: the membrane wrinkles, "
-                            "where a bending stiffness E_b helps, or so small an error cannot be told"
-                          : "and no finer rung has an answer; ask for a shorter until.kt or a larger error";
-}
-
 std::string not_met(const ordered_json& error, const Climb& climb) {
   const ordered_json& reached = error["Q"];
   return "the error asked for, " + rounded(error["asked"]) + ", was not met: " +
          (reached.is_number() ? "it is estimated as " + rounded(reached) : "it is unknown") + " with " +
-         resolution_of(climb.best->run.parameters) + ", " + why_no_finer(climb);
+         resolution_of(climb.best->run.parameters) + ", " +
+         (climb.why_no_finer.empty()
+              ? "and no finer rung has an answer; ask for a shorter until.kt or a larger error"
+              : climb.why_no_finer);
 }
 
 /// The directory of the case shows the shapes of a rung. The rung keeps its own, with which a longer run goes
