@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/case/limits.hpp"
+#include "solver/case/rkc2_steps.hpp"
 #include "solver/strain_laws/strain_law.hpp"
 
 namespace capstan {
@@ -135,12 +136,9 @@ double default_kdt(const Case& c) {
 }
 
 double rkc2_flows(const Case& c) {
-  // As in RungeKuttaChebyshev: the radius it assumes, its largest step, that of soft membranes.
-  constexpr double kSafety = 1.2, kLargest = 0.1, kSoft = 0.2, kDecayInSoftStep = 11;
-  const double radius = std::max(1., kSafety * fastest_decay(c));
-  const double step = std::clamp(kDecayInSoftStep / radius, kLargest, kSoft);
-  constexpr double kMinStages = 3;  // steps of two stages are shortened by their error
-  return std::max(kMinStages, 1 + std::floor(std::sqrt(1 + 1.54 * step * radius))) / step;
+  constexpr int kLeastStages = 3;  // steps of two stages are shortened by their error
+  const double radius = std::max(1., kRkc2Safety * fastest_decay(c)), step = longest_rkc2_step(radius);
+  return std::max(kLeastStages, rkc2_stages(step, radius)) / step;
 }
 
 Stepper default_stepper(const Case& c) {

@@ -3,24 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/case/rkc2_steps.hpp"
 #include "solver/state/points_archive.hpp"
 
 namespace capstan {
 namespace {
 
 constexpr double kDamping = 2. / 13;  // epsilon: a step multiplies fast modes by factors of 1/3 to 0.95
-constexpr double kSafety = 1.2;       // the power iteration underestimates the spectral radius
 constexpr int kStepsAnEstimate = 15;
 constexpr int kMaxStages = 200;
 constexpr double kMinStep = 1e-6;
 
 double rms(const Points& vectors) { return vectors.norm() / std::sqrt(double(vectors.cols())); }
-
-/// Number of stages s for which the step is stable: the stability limit is
-///   beta(s) = (2/3)(s^2 - 1)(1 - 2 epsilon / 15) >= step * spectral radius.
-int stages_for(double step, double spectral_radius) {
-  return std::max(2, 1 + int(std::sqrt(1 + 1.54 * step * spectral_radius)));
-}
 
 /// Chebyshev polynomial T_j and its first two derivatives at w0, by their recurrence.
 struct Chebyshev {
@@ -95,23 +89,15 @@ StepReport RungeKuttaChebyshev::advance(const VelocityField& field, double kt, c
   return {.kt = kt, .flow = report_, .refusals = refusals};
 }
 
-/// The error estimate does not see the phase of a tumbling capsule, so that steps are bounded, too. Measured
-/// on red cells, V = 4, with 642 nodes to kt = 30: steps of 0.2 change Q by at most 0.001 at Ca = 0.25 and
-/// 0.6, where the spectral radius is 40 and 20, but by 0.006 to 0.009 at Ca = 0.1, 0.05 and 0.016, where it
-/// is 90 to 600. Steps of 0.1 change Q by 0.002 there.
-double RungeKuttaChebyshev::longest_accurate_step() const {
-  constexpr double kSoft = 11;  // decay in one step
-  return std::max(options_.largest_step, std::min(options_.soft_step, kSoft / spectral_radius_));
-}
-
 /// The longest step that error and stability allow.
 double RungeKuttaChebyshev::next_step() const {
-  return std::min({step_, longest_accurate_step(), kMaxStages * kMaxStages / (1.6 * spectral_radius_)});
+  const double accurate = longest_rkc2_step(spectral_radius_, options_.largest_step, options_.soft_step);
+  return std::min({step_, accurate, kMaxStages * kMaxStages / (1.6 * spectral_radius_)});
 }
 
 RungeKuttaChebyshev::Trial RungeKuttaChebyshev::attempt(double kt, double step, const Points& start,
                                                         const Points& velocities) {
-  const Coefficients coefficients(stages_for(step, spectral_radius_));
+  const Coefficients coefficients(rkc2_stages(step, spectral_radius_));
   Trial trial;
   Points before = start, now = start + coefficients.first * step * velocities,
          stage_velocities(3, start.cols());
@@ -150,7 +136,7 @@ void RungeKuttaChebyshev::estimate_spectral_radius(double kt, const Points& posi
     const double last = std::exchange(radius, rms(stiffest_) / kDisplacement);
     if (n > 0 && std::abs(radius - last) <= kEnough * radius) break;
   }
-  spectral_radius_ = std::max(kSafety * radius, 1.);
+  spectral_radius_ = std::max(kRkc2Safety * radius, 1.);
   if (first_radius_ == 0) first_radius_ = spectral_radius_;
   steps_since_estimate_ = 0;
 }

@@ -3,6 +3,7 @@
 // deforms it, and they decay without oscillation. The second-order Runge-Kutta-Chebyshev method RKC2 of
 // Sommeijer, Shampine and Verwer (J. Comput. Appl. Math. 88, 315, 1997) with s stages takes s flow solutions
 // a step and is stable for decay rates up to about 0.65 s^2 / step.
+#include "solver/case/rkc2_steps.hpp"
 #include "solver/simulation/time_step.hpp"
 
 namespace capstan {
@@ -10,9 +11,9 @@ namespace capstan {
 class RungeKuttaChebyshev : public TimeStepper {
  public:
   struct Options {
-    double tolerance = 3e-4;    ///< largest error of the positions in one step, root mean square, / a
-    double largest_step = 0.1;  ///< k dt
-    double soft_step = 0.2;     ///< k dt, the largest step of a soft membrane, if that is longer
+    double tolerance = 3e-4;  ///< largest error of the positions in one step, root mean square, / a
+    double largest_step = kRkc2Step;
+    double soft_step = kRkc2SoftStep;
   };
   RungeKuttaChebyshev() : RungeKuttaChebyshev(Options{}) {}
   explicit RungeKuttaChebyshev(const Options& options) : options_(options) {}
@@ -31,7 +32,6 @@ class RungeKuttaChebyshev : public TimeStepper {
     Points end, end_velocities;
     double error = 0;  ///< in units of the tolerance; not finite if a flow solution failed
   };
-  double longest_accurate_step() const;
   double next_step() const;
   Trial attempt(double kt, double step, const Points& start, const Points& velocities);
   void estimate_spectral_radius(double kt, const Points& positions, const Points& velocities);
