@@ -1,5 +1,6 @@
 #pragma once
 // One time grid for the histories of a study, so that they are a table of points by times.
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,12 +10,12 @@
 
 namespace capstan {
 
-/// The times 0, `every`, 2 `every`, …
+/// The times 0, `every`, 2 `every`, …, as decimal numbers: 0.3, not 0.30000000000000004.
 struct TimeGrid {
   double every = 0;
   std::size_t size = 0;
 
-  double time(std::size_t index) const { return static_cast<double>(index) * every; }
+  double time(std::size_t index) const { return std::round(static_cast<double>(index) * every * 1e9) / 1e9; }
 };
 
 /// The grid up to the end of the study's longest run.

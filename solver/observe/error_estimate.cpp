@@ -38,11 +38,11 @@ constexpr BoundaryIntegrals kTwiceTheSpacing{
     .rungs = {{{162, {3.9, 0.01}, 0.04}, {362, {1.95, 0.002}, 0.002}, {kFinest, {1.95, 8e-4}, 8e-4}}},
     .wrinkles = {.without_bending = {2.7, 2e-3}, .begins_to_wrinkle = {4.5, 0.05}, .folded = {4.5, 0.2}}};
 constexpr BoundaryIntegrals kNextRung{
-    .rungs = {{{92, {2.5, 0.01}, 0.04},
-               {162, {1.3, 0.003}, 0.02},
-               {362, {1.3, 0.0015}, 0.0015},
-               {kFinest, {1.3, 8e-4}, 8e-4}}},
-    .wrinkles = {.without_bending = {1.6, 3e-3}, .begins_to_wrinkle = {2.2, 0.05}, .folded = {2.2, 0.2}}};
+    .rungs = {{{92, {2.3, 0.01}, 0.04},
+               {162, {1.2, 0.003}, 0.02},
+               {362, {1.2, 0.0015}, 0.0015},
+               {kFinest, {1.2, 8e-4}, 8e-4}}},
+    .wrinkles = {.without_bending = {1.5, 3e-3}, .begins_to_wrinkle = {2.2, 0.05}, .folded = {2.2, 0.2}}};
 constexpr double kWrinkling = 40;  // degrees
 
 /// In a thin inner fluid the error falls more slowly with the spacing. Coarse lattices resolve red cells with

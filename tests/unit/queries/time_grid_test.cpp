@@ -18,6 +18,11 @@ History records_at(std::initializer_list<double> times) {
   return records;
 }
 
+TEST(TimeGrid, TimesAreTheDecimalNumbersThatTheDistanceSays) {
+  EXPECT_EQ((TimeGrid{0.1, 10}.time(3)), 0.3);
+  EXPECT_EQ((TimeGrid{0.7, 10}.time(3)), 2.1);
+}
+
 TEST(TimeGrid, HistoryIsLinearBetweenTwoRecords) {
   const History history = on_grid(records_at({0, 1, 4}), {0.5, 9});
   ASSERT_EQ(history.size(), 9u);
