@@ -39,9 +39,9 @@ constexpr BoundaryIntegrals kTwiceTheSpacing{
     .wrinkles = {.without_bending = {2.7, 2e-3}, .begins_to_wrinkle = {4.5, 0.05}, .folded = {4.5, 0.2}}};
 constexpr BoundaryIntegrals kNextRung{
     .rungs = {{{92, {2.3, 0.01}, 0.04},
-               {162, {1.2, 0.003}, 0.02},
-               {362, {1.2, 0.0015}, 0.0015},
-               {kFinest, {1.2, 8e-4}, 8e-4}}},
+               {162, {1.15, 0.003}, 0.02},
+               {362, {1.15, 0.0015}, 0.0015},
+               {kFinest, {1.15, 8e-4}, 8e-4}}},
     .wrinkles = {.without_bending = {1.5, 3e-3}, .begins_to_wrinkle = {2.2, 0.05}, .folded = {2.2, 0.2}}};
 constexpr double kWrinkling = 40;  // degrees
 
@@ -56,9 +56,10 @@ double ratio_of_spacings(const Case& run, const Case& coarser) {
   return std::sqrt((run.fidelity.nodes - 2.) / (coarser.fidelity.nodes - 2.));
 }
 
+bool are_neighbours(const Case& run, const Case& coarser) { return ratio_of_spacings(run, coarser) < 1.75; }
+
 const BoundaryIntegrals& boundary_integrals(const Case& run, const Case& coarser) {
-  constexpr double kNeighbours = 1.75;
-  return ratio_of_spacings(run, coarser) < kNeighbours ? kNextRung : kTwiceTheSpacing;
+  return are_neighbours(run, coarser) ? kNextRung : kTwiceTheSpacing;
 }
 
 /// The error of order p, over the distance.
@@ -84,22 +85,33 @@ Calibration larger(const Calibration& a, const Calibration& b) {
   return {std::max(a.factor, b.factor), std::max(a.floor, b.floor)};
 }
 
-Calibration calibration_of(const EstimatedRun& run, const Calibration& of_rung,
+/// Whether the finer mesh only has finer wrinkles.
+bool is_rough_on_both(const EstimatedRun& run, const EstimatedRun& coarser) {
+  constexpr double kRough = 30;  // degrees
+  const double smoother = are_neighbours(run.parameters, coarser.parameters) ? 0.9 : 0.8;
+  return run.largest_dihedral > kRough && run.largest_dihedral > smoother * coarser.largest_dihedral;
+}
+
+Calibration calibration_without_bending(const EstimatedRun& run, const EstimatedRun& coarser,
+                                        const WrinkleCalibration& wrinkles) {
+  if (is_rough_on_both(run, coarser)) return wrinkles.folded;
+  return run.largest_dihedral > kWrinkling ? wrinkles.begins_to_wrinkle : wrinkles.without_bending;
+}
+
+Calibration calibration_of(const EstimatedRun& run, const EstimatedRun& coarser, const Calibration& of_rung,
                            const WrinkleCalibration& wrinkles) {
   Calibration calibration = of_rung;
-  const bool has_bending = run.parameters.has_bending();
-  if (!has_bending) calibration = larger(calibration, wrinkles.without_bending);
-  if (!has_bending && run.largest_dihedral > kWrinkling)
-    calibration = larger(calibration, wrinkles.begins_to_wrinkle);
+  if (!run.parameters.has_bending())
+    calibration = larger(calibration, calibration_without_bending(run, coarser, wrinkles));
   if (run.largest_dihedral > kFoldedEdge) calibration = larger(calibration, wrinkles.folded);
   return calibration;
 }
 
-Calibration calibration_of(const EstimatedRun& run, const Case& coarser) {
+Calibration calibration_of(const EstimatedRun& run, const EstimatedRun& coarser) {
   const Case& c = run.parameters;
-  if (c.has_grid()) return calibration_of(run, calibration_of_lattice(c), kWrinklesOnLattice);
-  const BoundaryIntegrals& calibration = boundary_integrals(c, coarser);
-  return calibration_of(run, calibration_of_rung(c, calibration), calibration.wrinkles);
+  if (c.has_grid()) return calibration_of(run, coarser, calibration_of_lattice(c), kWrinklesOnLattice);
+  const BoundaryIntegrals& calibration = boundary_integrals(c, coarser.parameters);
+  return calibration_of(run, coarser, calibration_of_rung(c, calibration), calibration.wrinkles);
 }
 
 /// NaN if the distance is.
@@ -109,12 +121,13 @@ double larger_unless_unknown(double distance, double other) {
 
 }  // namespace
 
-ErrorEstimate estimated_error(const EstimatedRun& run, const Case& coarser, const Distance& distance) {
+ErrorEstimate estimated_error(const EstimatedRun& run, const EstimatedRun& coarser,
+                              const Distance& distance) {
   constexpr double kFewTurns = 0.5, kLargest = 2;  // two Q differ by less, since |Q| < 1
   const Calibration calibration = calibration_of(run, coarser);
   const double longer = distance.until_kt > 0 ? std::max(1., run.kt / distance.until_kt)
                                               : std::numeric_limits<double>::quiet_NaN();
-  const double factor = longer * calibration.factor * extrapolated(run.parameters, coarser);
+  const double factor = longer * calibration.factor * extrapolated(run.parameters, coarser.parameters);
   const double Q = std::clamp(factor * distance.Q, calibration.floor, kLargest);
   const auto scaled = [&](double of_distance, double least) {
     return larger_unless_unknown(factor * of_distance, least);

@@ -33,7 +33,7 @@ EstimatedRun estimated(const FinishedRun& run) {
 }
 
 ErrorEstimate estimate(const FinishedRun& run, const FinishedRun& companion) {
-  return estimated_error(estimated(run), companion.parameters,
+  return estimated_error(estimated(run), estimated(companion),
                          distance_between(run.history, companion.history));
 }
 

@@ -108,7 +108,7 @@ COARSEST, COARSE, BOUNDARY_INTEGRALS, LATTICE = (1.3, 0.01), (0.65, 0.002), (0.6
 COARSEST_DIMPLES = (1.3, 0.04)
 LATTICE_THIN, COARSE_LATTICE_VISCOUS = (1.4, 1e-3), (6, 1e-3)
 WITHOUT_BENDING, BEGINS_TO_WRINKLE, FOLDED = (0.9, 2e-3), (1.5, 0.05), (1.5, 0.2)
-WRINKLING = 40
+WRINKLING, ROUGH = 40, 30  # degrees
 
 
 def largest_dihedral(row):
@@ -121,6 +121,13 @@ def is_folded(row):
 
 def kind_of_scene(row):
     return "folded" if is_folded(row) else "with bending" if row["case"].get("E_b", 0) > 0 else "E_b = 0"
+
+
+def is_rough_on_both(row, other):
+    """Whether the mesh of a membrane without bending stiffness is not smoother than that of the coarser run."""
+    smoother = 0.8 if other == companion(row["rung"]) else 0.9
+    coarser = row["runs"][other].entry["surface"]["largest_dihedral"]
+    return largest_dihedral(row) > ROUGH and largest_dihedral(row) > smoother * coarser
 
 
 def calibration_of_lattice(row):
@@ -144,6 +151,8 @@ def calibration_of(row):
         all_that_apply.append(WITHOUT_BENDING)
         if largest_dihedral(row) > WRINKLING:
             all_that_apply.append(BEGINS_TO_WRINKLE)
+        if is_rough_on_both(row, companion(row["rung"])):
+            all_that_apply.append(FOLDED)
     if is_folded(row):
         all_that_apply.append(FOLDED)
     return [max(values) for values in zip(*all_that_apply)]
@@ -159,8 +168,8 @@ def stated(row):
 
 
 # An estimate from the next coarser rung: factor over that of an error of order p, and floor, as in the same file.
-NEXT_RUNG = {92: (2.3, 0.01, 0.04), 162: (1.2, 0.003, 0.02), 362: (1.2, 0.0015, 0.0015)}  # factor, floor, floor of red cells
-NEXT_FINE = (1.2, 8e-4, 8e-4)
+NEXT_RUNG = {92: (2.3, 0.01, 0.04), 162: (1.15, 0.003, 0.02), 362: (1.15, 0.0015, 0.0015)}  # factor, floor, floor of red cells
+NEXT_FINE = (1.15, 8e-4, 8e-4)
 NEXT_WITHOUT_BENDING, NEXT_BEGINS_TO_WRINKLE, NEXT_FOLDED = (1.5, 3e-3), (2.2, 0.05), (2.2, 0.2)
 LATTICE_WITHOUT_BENDING, LATTICE_BEGINS_TO_WRINKLE, LATTICE_FOLDED = (0.9, 2e-3), (1.5, 0.05), (1.5, 0.2)
 
@@ -178,6 +187,8 @@ def stated_from_next_rung(row):
         calibrations.append(LATTICE_WITHOUT_BENDING if on_lattice else NEXT_WITHOUT_BENDING)
         if largest_dihedral(row) > WRINKLING:
             calibrations.append(LATTICE_BEGINS_TO_WRINKLE if on_lattice else NEXT_BEGINS_TO_WRINKLE)
+        if is_rough_on_both(row, below):
+            calibrations.append(LATTICE_FOLDED if on_lattice else NEXT_FOLDED)
     if is_folded(row):
         calibrations.append(LATTICE_FOLDED if on_lattice else NEXT_FOLDED)
     factor, floor = (max(values) for values in zip(*calibrations))

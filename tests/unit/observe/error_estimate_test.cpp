@@ -20,11 +20,13 @@ const EstimatedRun kStokes = run_of(R"("fluid": "stokes")");
 constexpr Distance kDistance{.Q = 0.02, .D_xy = 0.01, .theta = 0.04, .period = 0.03, .until_kt = 10};
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
+/// A coarser run whose mesh has larger angles than any finer one in these tests.
+EstimatedRun smooth_run(const Case& c) { return {.parameters = c, .largest_dihedral = 100}; }
 ErrorEstimate from_companion(const EstimatedRun& run, const Distance& distance) {
-  return estimated_error(run, coarser(run.parameters).value(), distance);
+  return estimated_error(run, smooth_run(coarser(run.parameters).value()), distance);
 }
 ErrorEstimate from_rung_below(const EstimatedRun& run, const Distance& distance) {
-  return estimated_error(run, rung_below(run.parameters).value(), distance);
+  return estimated_error(run, smooth_run(rung_below(run.parameters).value()), distance);
 }
 Distance scaled(const Distance& distance, double by) {
   return {distance.Q * by, distance.D_xy * by, distance.theta * by, distance.period * by, distance.until_kt};
@@ -61,6 +63,17 @@ TEST(ErrorEstimate, IsLargerOnALatticeWithoutBendingAndOnAFoldedSurface) {
   EXPECT_GT(from_companion(other, kDistance).Q, without_bending);
 }
 
+TEST(ErrorEstimate, IsLargeWhereTheFinerMeshOfAMembraneWithoutBendingIsNotSmoother) {
+  EstimatedRun run = kStokes, companion = smooth_run(coarser(kStokes.parameters).value());
+  run.parameters.E_b = companion.parameters.E_b = 0;
+  run.largest_dihedral = 35;
+  EXPECT_LT(estimated_error(run, companion, kDistance).Q, 0.1);
+  companion.largest_dihedral = 40;
+  EXPECT_GE(estimated_error(run, companion, kDistance).Q, 0.2);
+  run.parameters.E_b = companion.parameters.E_b = 0.01;
+  EXPECT_LT(estimated_error(run, companion, kDistance).Q, 0.1) << "with bending stiffness";
+}
+
 TEST(ErrorEstimate, OnACoarseLatticeIsLargerForViscousRedCells) {
   const auto on_lattice = [](const std::string& keys, const std::string& fidelity) {
     return from_companion(run_of(keys + R"(, "fluid": "quasisteady", "fidelity": ")" + fidelity + '"'),
@@ -75,18 +88,18 @@ TEST(ErrorEstimate, OnACoarseLatticeIsLargerForViscousRedCells) {
 
 TEST(ErrorEstimate, FromTheRungBelowIsThatOfSecondOrderTimesAFactor) {
   const double ratio = 640. / 360;  // of the squares of the spacings
-  EXPECT_NEAR(from_rung_below(kStokes, kDistance).Q, 1.2 * kDistance.Q / (ratio - 1), 1e-12);
+  EXPECT_NEAR(from_rung_below(kStokes, kDistance).Q, 1.15 * kDistance.Q / (ratio - 1), 1e-12);
   const EstimatedRun on_lattice = run_of(R"("fluid": "quasisteady")");
   EXPECT_NEAR(from_rung_below(on_lattice, kDistance).Q, kDistance.Q / (std::sqrt(ratio) - 1), 1e-12);
 }
 
-// Errors of second order: 1.2 times the true error is stated, from the companion 1.95 times.
+// Errors of second order: 1.15 times the true error is stated, from the companion 1.95 times.
 TEST(ErrorEstimate, FromTheRungBelowIsSmallerThanFromTheCompanionWhereTheOrderIsTwo) {
   const double error = 0.01;
   const auto at_distance = [](double Q) { return scaled(kDistance, Q / kDistance.Q); };
   const double neighbours = from_rung_below(kStokes, at_distance(error * (640. / 360 - 1))).Q;
   const double companion = from_companion(kStokes, at_distance(error * (640. / 160 - 1))).Q;
-  EXPECT_NEAR(neighbours, 1.2 * error, 1e-12);
+  EXPECT_NEAR(neighbours, 1.15 * error, 1e-12);
   EXPECT_NEAR(companion, 1.95 * error, 1e-12);
 }
 
