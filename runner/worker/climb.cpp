@@ -49,19 +49,20 @@ std::optional<FinishedRun> run_of(const Case& rung, const RunDirectory& director
   return run;
 }
 
-/// Why finer rungs are not expected to come nearer; empty if they are. From 1442 nodes on errors fall from
-/// rung to rung, unless the membrane wrinkles, or the estimate is the smallest that is ever given.
+/// Why finer rungs are not expected to come nearer; empty if they are. On fine meshes errors fall from rung
+/// to rung, unless the membrane wrinkles, or the estimate is the smallest that is ever given.
 std::string why_no_finer(const FinishedRun& run, std::optional<double> estimate,
                          std::optional<double> before) {
-  constexpr int kFine = 1442;
-  if (run.parameters.fidelity.nodes < kFine) return "";
+  constexpr double kWrinkling = 40;  // degrees
+  const int fine = run.parameters.has_grid() ? 2562 : 1442;
+  if (run.parameters.fidelity.nodes < fine) return "";
   if (!run.is_answered())
     return "and the run with " + resolution_of(run.parameters) +
            " failed: " + run.result["message"].get<std::string>();
-  if (estimate && before && *estimate >= *before)
-    return "and it does not fall any further with the resolution: the membrane wrinkles, where a bending "
-           "stiffness E_b helps, or so small an error cannot be told";
-  return "";
+  if (!estimate || !before || *estimate < *before) return "";
+  const bool wrinkles = run.result["trust"]["surface"]["largest_dihedral"] > kWrinkling;
+  return std::string("and it does not fall any further with the resolution") +
+         (wrinkles ? ": the membrane wrinkles, where a bending stiffness E_b helps" : "");
 }
 
 void judge(const FinishedRun& run, const FinishedRun& below, double error, Climb& climb) {
@@ -125,7 +126,7 @@ void publish_files(const FinishedRun& run, const RunDirectory& directory) {
 RunEnding climb(const ParsedCase& parsed, const RunDirectory& directory, double end_seconds) {
   const Case& c = *parsed.value;
   const double asked = c.fidelity.error;
-  Climb climb = climb_to(asked, single_run(c), directory, end_seconds);
+  Climb climb = climb_to(asked, first_of_climb(c), directory, end_seconds);
   if (climb.is_interrupted) return RunEnding::interrupted;
   FinishedRun& best = climb.best->run;
   const ordered_json accuracy = accuracy_of(climb, asked);

@@ -22,8 +22,8 @@ std::string kind_of(const Case& c) {
   const nlohmann::ordered_json json = to_json(c);
   nlohmann::json fidelity = json["fidelity"];
   fidelity.erase("kdt");
-  return json["fluid"].dump() + fidelity.dump() + (c.has_viscosity_ratio() ? "V" : "") +
-         (c.has_bending() ? "E" : "");
+  return json["fluid"].dump() + fidelity.dump() + std::to_string(c.fidelity.nodes) +
+         (c.has_viscosity_ratio() ? "V" : "") + (c.has_bending() ? "E" : "");
 }
 
 struct Measurement {

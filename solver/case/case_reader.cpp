@@ -158,7 +158,7 @@ void CaseReader::choose_rung() {
   if (settings.contains("preset"))
     add_issue("/fidelity/preset",
               "has no effect beside error, which chooses the resolution: leave out one of the two");
-  case_ = at_first_rung(case_);
+  case_ = at_expected_rung(case_);
 }
 
 void CaseReader::check_effects() {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "solver/case/grid_size.hpp"
+#include "solver/case/limits.hpp"
 #include "solver/case/time_step_defaults.hpp"
 
 namespace capstan {
@@ -32,6 +33,9 @@ std::span<const Rung> rungs_of(const Case& c) {
 }
 
 bool fits_box(const Case& c) { return !c.has_grid() || issue_of_grid(c).empty(); }
+
+/// Whether a lattice at this rung fits the box, and the box the capsule.
+bool is_possible(const Case& c) { return fits_box(c) && (!c.has_grid() || c.fidelity.box >= min_box(c)); }
 
 double usual_error(const Case& c) {
   const Rung& rung = *std::ranges::find(rungs_of(c), c.fidelity.nodes, &Rung::nodes);
@@ -91,42 +95,47 @@ std::optional<Case> companion_of(const Case& c) {
 
 std::optional<Case> rung_below(const Case& c) {
   std::optional<Case> below;
-  for (const Rung& each : rungs_of(c)) {
-    const Case candidate = at(c, each);
-    if (each.nodes < c.fidelity.nodes && fits_box(candidate)) below = candidate;
-  }
+  for (const Rung& each : rungs_of(c))
+    if (const Case rung = at(c, each); each.nodes < c.fidelity.nodes && is_possible(rung)) below = rung;
   return below;
 }
 
 std::optional<Case> rung_above(const Case& c) {
-  for (const Rung& each : rungs_of(c)) {
-    const Case candidate = at(c, each);
-    if (each.nodes > c.fidelity.nodes && fits_box(candidate)) return candidate;
-  }
+  for (const Rung& each : rungs_of(c))
+    if (const Case rung = at(c, each); each.nodes > c.fidelity.nodes && is_possible(rung)) return rung;
   return std::nullopt;
 }
 
-Case at_first_rung(const Case& c) {
-  constexpr double kLargest = 4;
-  Case rung = c;
+Case at_expected_rung(const Case& c) {
+  Case found = at(c, rungs_of(c).front());
   for (const Rung& each : rungs_of(c)) {
-    rung = at(c, each);
-    if (usual_error(rung) <= kLargest * c.fidelity.error && fits_box(rung) && rung_below(rung)) break;
+    const Case rung = at(c, each);
+    if (!is_possible(rung) || !rung_below(rung)) continue;
+    found = rung;
+    if (usual_error(rung) <= c.fidelity.error) break;
   }
-  return rung;
+  return found;
+}
+
+Case first_of_climb(const Case& c) {
+  constexpr double kLargest = 4;
+  Case first = single_run(c);
+  for (auto below = rung_below(first);
+       below && rung_below(*below) && usual_error(*below) <= kLargest * c.fidelity.error;
+       below = rung_below(first))
+    first = *below;
+  return first;
 }
 
 std::vector<Case> usual_runs(const Case& c) {
-  const Case run = single_run(c);
   std::vector<Case> runs;
-  if (const auto coarse = c.fidelity.error > 0 ? rung_below(run) : companion_of(c)) runs.push_back(*coarse);
-  runs.push_back(run);
-  if (c.fidelity.error == 0) return runs;
-  while (usual_error(runs.back()) > c.fidelity.error) {
-    const auto finer = rung_above(runs.back());
-    if (!finer) break;
-    runs.push_back(*finer);
+  if (c.fidelity.error == 0) {
+    if (const auto companion = companion_of(c)) runs.push_back(*companion);
+  } else {
+    std::optional<Case> rung = rung_below(first_of_climb(c));
+    for (; rung && rung->fidelity.nodes < c.fidelity.nodes; rung = rung_above(*rung)) runs.push_back(*rung);
   }
+  runs.push_back(single_run(c));
   return runs;
 }
 

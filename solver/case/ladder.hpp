@@ -32,13 +32,17 @@ std::optional<Case> companion_of(const Case& c);
 std::optional<Case> rung_below(const Case& c);
 std::optional<Case> rung_above(const Case& c);
 
-/// The case at the first rung to be tried for an error of `c.fidelity.error`: the coarsest whose usual error
-/// is at most four times as large, of those with a rung below. Many scenes are resolved better than usual,
-/// and all coarser rungs together cost less than the last.
-Case at_first_rung(const Case& c);
+/// The case at the rung that is expected to meet the error `c.fidelity.error`: the coarsest whose usual error
+/// is not larger, of those with a rung below; the finest if none is.
+Case at_expected_rung(const Case& c);
 
-/// All runs that a case usually takes, the coarsest first. For an error asked for: the run below the first
-/// rung, and the rungs up to one whose usual error is small enough.
+/// The run at the rung with which the climb to `c.fidelity.error` begins: the coarsest whose usual error is
+/// at most four times as large. Many scenes are resolved better than usual, and all coarser rungs together
+/// cost less than the last. \param c  at its expected rung
+Case first_of_climb(const Case& c);
+
+/// All runs that a case usually takes, the coarsest first: its companion and itself; for an error asked for
+/// the rung below the first, and from there on all rungs up to the expected one.
 std::vector<Case> usual_runs(const Case& c);
 
 }  // namespace capstan

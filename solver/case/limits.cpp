@@ -79,12 +79,6 @@ double elongation(const Case& c) {
   return 1 + std::min(2 * c.Ca * 2 / (1 + std::max(1., c.V)), 0.5 * c.until.kt);
 }
 
-/// Half of the box must contain the longest semi-axis and the support of the delta function.
-double min_box(const Case& c) {
-  constexpr double kCells = 4;
-  return 2 * (semi_axis_at_rest(c) * elongation(c) + kCells * c.fidelity.dx);
-}
-
 /// Below this the velocities in lattice units are lost in rounding errors.
 constexpr double kMinReynolds = 1e-6;
 
@@ -132,6 +126,11 @@ void check_grid_fits(const Case& c, Issues& issues) {
 }
 
 }  // namespace
+
+double min_box(const Case& c) {
+  constexpr double kCells = 4;
+  return 2 * (semi_axis_at_rest(c) * elongation(c) + kCells * c.fidelity.dx);
+}
 
 double grid_bytes(const Case& c) {
   // bytes a cell: populations before and after a sweep, and relaxation rates; on coarse levels, which

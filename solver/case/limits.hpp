@@ -14,6 +14,10 @@ inline constexpr double kMaxTime = 10000;  ///< shear time kt
 /// An issue for each limit that a case exceeds, with what to change. Empty for a case that can be run.
 Issues limits_exceeded(const Case& c);
 
+/// The smallest box / a of a lattice: half of it must contain the longest semi-axis, as the flow draws the
+/// capsule out, and the support of the delta function.
+double min_box(const Case& c);
+
 /// Memory in bytes of a lattice that covers the whole domain; 0 for models with small grids or none.
 double grid_bytes(const Case& c);
 

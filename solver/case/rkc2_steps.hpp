@@ -24,7 +24,8 @@ inline double longest_rkc2_step(double spectral_radius, double step = kRkc2Step,
 /// The number of stages s with which a step is stable: the stability limit is
 ///   beta(s) = (2/3)(s^2 - 1)(1 - 2 epsilon / 15) >= step * spectral radius.
 inline int rkc2_stages(double step, double spectral_radius) {
-  return std::max(2, 1 + int(std::sqrt(1 + 1.54 * step * spectral_radius)));
+  constexpr double kMost = 1e6;  // a membrane may be stiff without limit
+  return std::max(2, 1 + int(std::min(kMost, std::sqrt(1 + 1.54 * step * spectral_radius))));
 }
 
 }  // namespace capstan

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/case/grid_size.hpp"
+#include "solver/case/ladder.hpp"
 
 namespace capstan {
 
@@ -26,11 +27,11 @@ double history_size(const Case& c) {
 /// Measured sizes of the membrane's and the flow's state: all cells of a uniform lattice, the cells near the
 /// capsule of a composite grid.
 double checkpoint_size(const Case& c) {
-  constexpr double kVertex = 108, kCell = 190, kCompositeCell = 450;
+  constexpr double kVertex = 108, kCell = 190, kCellWithStresses = 450;
   const double membrane = kVertex * c.fidelity.nodes + 10'000;
   if (!c.has_grid()) return membrane;
   if (!c.has_composite_grid()) return membrane + kCell * uniform_cells(c);
-  return membrane + kCompositeCell * composite_cells(c);
+  return membrane + (c.has_viscosity_ratio() ? kCellWithStresses : kCell) * composite_cells(c);
 }
 
 /// Of a composite grid: the fields of the finest level, in single or double precision, and half of them if
@@ -49,7 +50,9 @@ double grid_memory(const Case& c) {
 
 double run_size(const Case& c) {
   constexpr double kOthers = 10'000;  // case.json, result.json, log
-  return kOthers + shapes_size(c) + history_size(c) + checkpoint_size(c);
+  double size = kOthers;
+  for (const Case& run : usual_runs(c)) size += shapes_size(run) + history_size(run) + checkpoint_size(run);
+  return size;
 }
 
 double run_memory(const Case& c) {

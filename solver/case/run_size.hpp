@@ -5,7 +5,7 @@
 namespace capstan {
 
 /// Bytes of the run directory of a finished case and of its rows in the database, to some tens of percent:
-/// its shapes, its history and the last checkpoint.
+/// shapes, history and last checkpoint of all its runs.
 double run_size(const Case& c);
 
 /// Bytes of its shapes.

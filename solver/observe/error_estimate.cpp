@@ -1,10 +1,10 @@
 #include "solver/observe/error_estimate.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "solver/mesh/surface_quality.hpp"
 
@@ -29,19 +29,22 @@ struct WrinkleCalibration {
 };
 
 struct BoundaryIntegrals {
-  std::array<RungCalibration, 4> rungs;
+  std::span<const RungCalibration> rungs;  ///< the last is for all finer ones, too
   WrinkleCalibration wrinkles;
 };
 
 constexpr int kFinest = std::numeric_limits<int>::max();
+constexpr RungCalibration kTwiceTheSpacingRungs[] = {
+    {162, {3.9, 0.01}, 0.04}, {362, {1.95, 0.002}, 0.002}, {kFinest, {1.95, 8e-4}, 8e-4}};
+constexpr RungCalibration kNextRungs[] = {{92, {2.3, 0.01}, 0.04},
+                                          {162, {1.15, 0.003}, 0.02},
+                                          {362, {1.15, 0.0015}, 0.0015},
+                                          {kFinest, {1.15, 8e-4}, 8e-4}};
 constexpr BoundaryIntegrals kTwiceTheSpacing{
-    .rungs = {{{162, {3.9, 0.01}, 0.04}, {362, {1.95, 0.002}, 0.002}, {kFinest, {1.95, 8e-4}, 8e-4}}},
+    .rungs = kTwiceTheSpacingRungs,
     .wrinkles = {.without_bending = {2.7, 2e-3}, .begins_to_wrinkle = {4.5, 0.05}, .folded = {4.5, 0.2}}};
 constexpr BoundaryIntegrals kNextRung{
-    .rungs = {{{92, {2.3, 0.01}, 0.04},
-               {162, {1.15, 0.003}, 0.02},
-               {362, {1.15, 0.0015}, 0.0015},
-               {kFinest, {1.15, 8e-4}, 8e-4}}},
+    .rungs = kNextRungs,
     .wrinkles = {.without_bending = {1.5, 3e-3}, .begins_to_wrinkle = {2.2, 0.05}, .folded = {2.2, 0.2}}};
 constexpr double kWrinkling = 40;  // degrees
 

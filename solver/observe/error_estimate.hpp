@@ -24,8 +24,8 @@ struct EstimatedRun {
 /// the error of the run with h; p = 2 for boundary integrals, 1 for lattices. The estimate is the error that
 /// follows, times a factor, and not less than a smallest error. Both were calibrated for each flow model and
 /// rung on random scenes, so that at least 95 % of the true errors are smaller (studies/calibration). Two
-/// neighbouring rungs need smaller factors: their errors differ less in form. If the coarser run ended
-/// earlier, the error is taken to grow in proportion to time.
+/// neighbouring rungs of boundary integrals need smaller factors: their errors differ less in form. If the
+/// coarser run ended earlier, the error is taken to grow in proportion to time.
 ///
 /// On a finer mesh the angles between neighbouring triangles of a smooth surface are smaller. Without bending
 /// stiffness they are not where the membrane wrinkles as finely as the mesh allows: then nothing converges,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/case/grid_size.hpp"
+#include "solver/case/limits.hpp"
 #include "solver/case/run_cost.hpp"
 #include "tests/support/parsed_case.hpp"
 
@@ -83,23 +85,44 @@ TEST(Companion, CostsAtMostAThirdOfTheRun) {
     EXPECT_LE(case_cost(c), 1.34 * run_cost(c));
 }
 
-TEST(FirstRung, IsFinerForASmallerErrorAndForARedCell) {
-  const auto nodes_for = [](const std::string& error) {
-    return stokes(R"({"error": )" + error + "}").fidelity.nodes;
+TEST(ExpectedRung, IsFinerForASmallerErrorAndForARedCell) {
+  const auto nodes_for = [](const std::string& keys) {
+    return parsed_case(R"({"Ca": 0.1, "fluid": "stokes", )" + keys + "}").fidelity.nodes;
   };
-  EXPECT_EQ(nodes_for("0.5"), 92);  // below 42 nodes there is no rung
-  EXPECT_LT(nodes_for("0.05"), nodes_for("0.005"));
-  EXPECT_LT(nodes_for("0.005"), nodes_for("0.0005"));
-  EXPECT_LT(
-      nodes_for("0.01"),
-      parsed_case(R"({"Ca": 0.1, "shape": "biconcave", "fluid": "stokes", "fidelity": {"error": 0.01}})")
-          .fidelity.nodes);
+  EXPECT_EQ(nodes_for(R"("fidelity": {"error": 0.5})"), 92);  // below 42 nodes there is no rung
+  EXPECT_LT(nodes_for(R"("fidelity": {"error": 0.05})"), nodes_for(R"("fidelity": {"error": 0.005})"));
+  EXPECT_LT(nodes_for(R"("fidelity": {"error": 0.005})"), nodes_for(R"("fidelity": {"error": 0.001})"));
+  EXPECT_LT(nodes_for(R"("fidelity": {"error": 0.01})"),
+            nodes_for(R"("shape": "biconcave", "fidelity": {"error": 0.01})"));
 }
 
-TEST(UsualRuns, ForAnErrorAskedForAreRungsOneAfterTheOther) {
-  const std::vector<Case> runs = usual_runs(stokes(R"({"error": 0.003})"));
+TEST(ExpectedRung, FitsTheBoxAndHasARungBelowThatDoes) {
+  for (const char* box : {"6.4", "8.5333333333333333", "9.6"})
+    for (const char* error : {"0.001", "0.02", "0.2"}) {
+      const Case c = lattice(R"({"error": )" + std::string(error) + R"(, "box": )" + box + "}");
+      EXPECT_EQ(issue_of_grid(c), "") << box << ", " << error;
+      ASSERT_TRUE(rung_below(c)) << box << ", " << error;
+      EXPECT_EQ(limits_exceeded(*rung_below(c)).size(), 0u) << box << ", " << error;
+    }
+}
+
+TEST(Climb, BeginsAtACoarserRungWhichHasOneBelow) {
+  const Case c = stokes(R"({"error": 0.003})"), first = first_of_climb(c);
+  EXPECT_LT(first.fidelity.nodes, c.fidelity.nodes);
+  EXPECT_TRUE(rung_below(first));
+  EXPECT_EQ(first_of_climb(stokes(R"({"error": 0.5})")).fidelity.nodes, 92);
+}
+
+TEST(UsualRuns, ForAnErrorAskedForAreRungsOneAfterTheOtherUpToTheExpectedOne) {
+  const Case c = stokes(R"({"error": 0.003})");
+  const std::vector<Case> runs = usual_runs(c);
   ASSERT_GE(runs.size(), 3u);
+  EXPECT_EQ(runs.front(), rung_below(first_of_climb(c)));
   for (std::size_t i = 1; i < runs.size(); ++i) EXPECT_EQ(rung_above(runs[i - 1]), runs[i]);
+  EXPECT_EQ(runs.back(), single_run(c));
+  double seconds = 0;
+  for (const Case& run : runs) seconds += run_cost(run);
+  EXPECT_DOUBLE_EQ(case_cost(c), seconds);
 }
 
 TEST(UsualRuns, WithoutAnErrorAskedForAreTheCompanionAndTheRun) {
@@ -116,7 +139,7 @@ TEST(ErrorAskedFor, ReplacesTheSettingsOfTheResolution) {
   EXPECT_EQ(issues_of(R"({"error": 0.01})"), 0u);
   EXPECT_EQ(issues_of(R"({"error": 0.01, "box": 9.6, "symmetry": "none"})"), 0u);
   EXPECT_EQ(issues_of(R"({"error": 0.01, "dx": 0.2, "nodes": 642, "preset": "fast"})"), 3u);
-  EXPECT_EQ(issues_of(R"({"error": 0})"), 1u);
+  EXPECT_EQ(issues_of(R"({"error": 0.0009})"), 1u) << "smaller than any that is stated";
   EXPECT_EQ(issues_of(R"({"error": 0.01, "box": 10})"), 2u);
 }
 

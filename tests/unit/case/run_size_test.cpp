@@ -9,13 +9,16 @@ namespace {
 
 double size(const std::string& keys) { return run_size(testing::parsed_case("{\"Ca\": 0.1" + keys + "}")); }
 
-/// Sums of the files that real runs left, with one checkpoint.
+/// Sums of the files that real runs and their companions left, with one checkpoint each.
 TEST(RunSize, IsThatOfRealRuns) {
-  EXPECT_NEAR(size(R"(, "fluid": "stokes", "until": {"kt": 2}, "fidelity": "fast")"), 260e3, 40e3);
-  EXPECT_NEAR(size(R"(, "fluid": "stokes", "until": {"kt": 2}, "fidelity": {"nodes": 2562})"), 920e3, 100e3);
+  EXPECT_NEAR(size(R"(, "fluid": "stokes", "until": {"kt": 2}, "fidelity": "fast")"), 334e3, 40e3);
+  EXPECT_NEAR(size(R"(, "fluid": "stokes", "until": {"kt": 2}, "fidelity": {"nodes": 2562})"), 1130e3, 100e3);
   EXPECT_NEAR(size(R"(, "fluid": "quasisteady", "until": {"kt": 0.2}, "fidelity": "standard",
                       "outputs": {"shapes_every": 0.1})"),
-              6.9e6, 1e6);
+              4.4e6, 1e6);
+  EXPECT_NEAR(size(R"(, "V": 4, "shape": "biconcave", "fluid": "quasisteady", "until": {"kt": 0.2},
+                      "fidelity": "standard", "outputs": {"shapes_every": 0.1})"),
+              9.8e6, 1.5e6);
   EXPECT_NEAR(size(R"(, "fluid": "transient", "Re": 1, "until": {"kt": 0.3}, "fidelity": "fast",
                       "outputs": {"shapes_every": 0.1})"),
               50.1e6, 5e6);
