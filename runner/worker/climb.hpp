@@ -6,8 +6,9 @@
 
 namespace capstan {
 
-/// Computes one rung after the other, and publishes the last one as the run of the case. If the finest rung
-/// does not meet the error, the finest one with an answer is published, with a warning.
+/// Computes one rung after the other, and publishes the last one as the run of the case. It ends without
+/// meeting the error at the finest rung, or where finer ones are not expected to come nearer; then the finest
+/// one with an answer is published, with a warning.
 /// \param parsed       with a value
 /// \param end_seconds  value of steady_seconds() at which the run is interrupted
 RunEnding climb(const ParsedCase& parsed, const RunDirectory& directory, double end_seconds);

@@ -167,9 +167,8 @@ std::vector<Parameter> trust_parameters() {
       {.key = "companion",
        .value = boolean(&Case::companion),
        .conditions = {needs_ladder(), needs_fixed_settings()},
-       .description = "Whether the same case is computed at the next coarser resolution, too, for an "
-                      "estimate of the error and a "
-                      "second label. By default true."},
+       .description = "Whether the same case is computed at twice the spacing, too, for an estimate of the "
+                      "error and a second label. By default true."},
   };
 }
 

@@ -200,13 +200,15 @@ def stated_from_next_rung(row):
 def print_coverage_from_next_rung(ladders):
     print("## The same for the error of Q that is stated from the next coarser rung\n")
     lines = []
+    # The error of the finest rung follows from the same distance as its estimate.
     rows = [{"fluid": fluid, "rung": nodes, "case": runs[nodes].entry["case"], "runs": runs, "true": error}
-            for (fluid, _), runs in ladders.items() for nodes, error in true_errors(fluid, runs).items() if nodes > NODES[fluid][0]]
+            for (fluid, _), runs in ladders.items() for nodes, error in true_errors(fluid, runs).items()
+            if NODES[fluid][0] < nodes < max(runs)]
     for (fluid, rung), here in groups(rows, model_and_rung):
-        pairs = [(stated, row["true"]) for row in here if (stated := stated_from_next_rung(row))]
-        lines.append([fluid, str(rung), str(len(pairs)), f"{sum(stated >= true for stated, true in pairs)} of {len(pairs)}",
-                      f"{sum(1.25 * stated >= true for stated, true in pairs)} of {len(pairs)}",
-                      np.median([stated / true for stated, true in pairs])])
+        pairs = [(of_row, row["true"]) for row in here if (of_row := stated_from_next_rung(row))]
+        lines.append([fluid, str(rung), str(len(pairs)), f"{sum(of_row >= true for of_row, true in pairs)} of {len(pairs)}",
+                      f"{sum(1.25 * of_row >= true for of_row, true in pairs)} of {len(pairs)}",
+                      np.median([of_row / true for of_row, true in pairs])])
     table(["model", "rung", "cases", "Q", "Q within 1.25 times", "median of stated over true error"], lines)
 
 
@@ -366,9 +368,10 @@ if __name__ == "__main__":
     ladders, asked = read(sys.argv[1])
     rows = rows_of(ladders)
     print("<!-- made by evaluate.py -->\n")
-    for print_part in (print_coverage, print_ratios, print_usual_errors, print_labels):
-        print_part(rows)
+    print_coverage(rows)
     print_coverage_from_next_rung(ladders)
+    for print_part in (print_ratios, print_usual_errors, print_labels):
+        print_part(rows)
     print_asked(ladders, asked)
     print_costs(ladders)
     write_errors(rows, sys.argv[2])
