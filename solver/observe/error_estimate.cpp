@@ -97,8 +97,11 @@ bool is_rough_on_both(const EstimatedRun& run, const EstimatedRun& coarser) {
 
 Calibration calibration_without_bending(const EstimatedRun& run, const EstimatedRun& coarser,
                                         const WrinkleCalibration& wrinkles) {
-  if (is_rough_on_both(run, coarser)) return wrinkles.folded;
-  return run.largest_dihedral > kWrinkling ? wrinkles.begins_to_wrinkle : wrinkles.without_bending;
+  constexpr Calibration kOfASphere{0, 0.02};
+  const bool is_sphere = run.parameters.shape == Shape::sphere, is_rough = is_rough_on_both(run, coarser);
+  if (is_rough && !is_sphere) return wrinkles.folded;
+  if (run.largest_dihedral > kWrinkling) return wrinkles.begins_to_wrinkle;
+  return is_rough ? larger(wrinkles.without_bending, kOfASphere) : wrinkles.without_bending;
 }
 
 Calibration calibration_of(const EstimatedRun& run, const EstimatedRun& coarser, const Calibration& of_rung,

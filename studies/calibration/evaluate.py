@@ -108,6 +108,7 @@ COARSEST, COARSE, BOUNDARY_INTEGRALS, LATTICE = (1.3, 0.01), (0.65, 0.002), (0.6
 COARSEST_DIMPLES = (1.3, 0.04)
 LATTICE_THIN, COARSE_LATTICE_VISCOUS = (1.4, 1e-3), (6, 1e-3)
 WITHOUT_BENDING, BEGINS_TO_WRINKLE, FOLDED = (0.9, 2e-3), (1.5, 0.05), (1.5, 0.2)
+ROUGH_SPHERE = (0, 0.02)
 WRINKLING, ROUGH = 40, 30  # degrees
 
 
@@ -152,7 +153,7 @@ def calibration_of(row):
         if largest_dihedral(row) > WRINKLING:
             all_that_apply.append(BEGINS_TO_WRINKLE)
         if is_rough_on_both(row, companion(row["rung"])):
-            all_that_apply.append(FOLDED)
+            all_that_apply.append(ROUGH_SPHERE if row["case"]["shape"] == "sphere" else FOLDED)
     if is_folded(row):
         all_that_apply.append(FOLDED)
     return [max(values) for values in zip(*all_that_apply)]
@@ -188,7 +189,8 @@ def stated_from_next_rung(row):
         if largest_dihedral(row) > WRINKLING:
             calibrations.append(LATTICE_BEGINS_TO_WRINKLE if on_lattice else NEXT_BEGINS_TO_WRINKLE)
         if is_rough_on_both(row, below):
-            calibrations.append(LATTICE_FOLDED if on_lattice else NEXT_FOLDED)
+            folded = LATTICE_FOLDED if on_lattice else NEXT_FOLDED
+            calibrations.append(ROUGH_SPHERE if row["case"]["shape"] == "sphere" else folded)
     if is_folded(row):
         calibrations.append(LATTICE_FOLDED if on_lattice else NEXT_FOLDED)
     factor, floor = (max(values) for values in zip(*calibrations))

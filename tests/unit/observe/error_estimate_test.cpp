@@ -64,12 +64,15 @@ TEST(ErrorEstimate, IsLargerOnALatticeWithoutBendingAndOnAFoldedSurface) {
 }
 
 TEST(ErrorEstimate, IsLargeWhereTheFinerMeshOfAMembraneWithoutBendingIsNotSmoother) {
-  EstimatedRun run = kStokes, companion = smooth_run(coarser(kStokes.parameters).value());
+  EstimatedRun run = run_of(R"("shape": "biconcave", "fluid": "stokes")");
+  EstimatedRun companion = smooth_run(coarser(run.parameters).value());
   run.parameters.E_b = companion.parameters.E_b = 0;
   run.largest_dihedral = 35;
   EXPECT_LT(estimated_error(run, companion, kDistance).Q, 0.1);
   companion.largest_dihedral = 40;
   EXPECT_GE(estimated_error(run, companion, kDistance).Q, 0.2);
+  run.parameters.shape = Shape::sphere;
+  EXPECT_EQ(estimated_error(run, companion, scaled(kDistance, 0.1)).Q, 0.02);
   run.parameters.E_b = companion.parameters.E_b = 0.01;
   EXPECT_LT(estimated_error(run, companion, kDistance).Q, 0.1) << "with bending stiffness";
 }
