@@ -32,9 +32,9 @@ TEST(Sharpening, ItsSymbolInvertsTheSplineToFourthOrderInEveryDirection) {
   }
 }
 
-// By Fourier transforms: the lattice's kink is h^2/(2 - 2 cos(k h)) - 1/12 where the sharp one is 1/k^2. The
-// code adds planes of cells.
-TEST(MembraneLayer, KinkIsThatOfTheLatticesGreensFunction) {
+// By Fourier transforms: the kink of planes of cells is h^2/(2 - 2 cos(k h)) - 1/12 where the sharp one is
+// 1/k^2. The code adds the planes.
+TEST(MembraneLayer, KinkIsThatOfTheGreensFunctionOfPlanesOfCells) {
   const struct {
     Vec3 normal;
     double spacing;
