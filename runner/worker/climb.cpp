@@ -21,7 +21,7 @@ struct Pair {
 };
 
 struct Climb {
-  std::optional<Pair> best;        ///< the finest with an answer, or the first
+  std::optional<Pair> best;        ///< the finest with an answer, or the finest
   std::optional<double> estimate;  ///< of the last rung
   double seconds = 0;              ///< of all runs
   bool is_met = false, is_interrupted = false;
@@ -71,7 +71,7 @@ void judge(const FinishedRun& run, const FinishedRun& below, double error, Climb
   print_error(climb.estimate);
   climb.is_met = climb.estimate && *climb.estimate <= error;
   climb.why_no_finer = why_no_finer(run, climb.estimate, before);
-  if (!climb.best || run.is_answered()) climb.best = Pair{run, below};
+  if (run.is_answered() || !climb.best || !climb.best->run.is_answered()) climb.best = Pair{run, below};
 }
 
 Climb climb_to(double error, const Case& first, const RunDirectory& directory, double end_seconds) {

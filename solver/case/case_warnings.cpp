@@ -7,6 +7,7 @@
 #include "solver/case/choose_fluid.hpp"
 #include "solver/case/grid_size.hpp"
 #include "solver/case/shown_number.hpp"
+#include "solver/case/wrinkling.hpp"
 
 namespace capstan {
 namespace {
@@ -69,28 +70,12 @@ std::string inside_too_thin_for_lattice(const Case& c) {
          rounded(kCoarse);
 }
 
-bool is_round(const Case& c) {
-  const auto [axis, across] = semi_axes(c);
-  return c.shape != Shape::biconcave && std::abs(std::log(axis / across)) < std::log(1.25);
-}
-
-/// Whether a membrane without bending stiffness would wrinkle. Measured to kt = 10, V = 1, 5 and 20, Ca =
-/// 0.02 to 0.5, with boundary integrals: at V = 1 red cells and spheroids of b/a = 0.7, 0.5, 0.25, 1.5 and 3
-/// fold by 70 to 180 degrees from kt = 3 to 8 on where Ca is at most 0.1 to 0.2, at V = 5 the flatter ones,
-/// at V = 20 none. Nearly round shapes do at Ca = 0.0125 to 0.02 and V = 1, not at 0.05. Larger Ca draw the
-/// capsule out to sharp tips, and its middle stays smooth.
-bool is_compressed(const Case& c) {
-  constexpr double kFirstWrinkles = 2;  // kt
-  if (c.until.kt <= kFirstWrinkles) return false;
-  return is_round(c) ? c.Ca < 0.04 && c.V < 5 : c.Ca < 0.3 && c.V < 10;
-}
-
 /// Wrinkles change a sphere's D_xy at Ca = 0.0125 by 11 % with 2562 nodes. E_b = 0.0001 keeps spheres smooth
 /// and lowers D_xy by 0.5 %. Red cells need more (Ca = 0.25, V = 4: 150 degrees between faces at E_b = 0, 109
 /// at 0.001, 59 at 0.005).
 std::string membrane_without_bending(const Case& c) {
-  if (c.has_bending() || !is_compressed(c)) return "";
-  const std::string enough = is_round(c) ? "0.0001" : "0.005";
+  if (c.has_bending() || !is_compressed(c) || c.until.kt <= kFirstWrinkles) return "";
+  const std::string enough = is_nearly_round(c) ? "0.0001" : "0.005";
   return "the membrane has no bending stiffness (E_b = 0) and wrinkles where it is compressed; the wrinkles "
          "are "
          "as wide as the edges of the mesh, and the result depends on them: use E_b = " +

@@ -7,6 +7,7 @@
 #include "solver/case/grid_size.hpp"
 #include "solver/case/limits.hpp"
 #include "solver/case/time_step_defaults.hpp"
+#include "solver/case/wrinkling.hpp"
 
 namespace capstan {
 namespace {
@@ -36,6 +37,13 @@ bool fits_box(const Case& c) { return !c.has_grid() || issue_of_grid(c).empty();
 
 /// Whether a lattice at this rung fits the box, and the box the capsule.
 bool is_possible(const Case& c) { return fits_box(c) && (!c.has_grid() || c.fidelity.box >= min_box(c)); }
+
+/// Whether a run of a membrane without bending stiffness is too coarse to show its wrinkles: then it may
+/// agree with a coarser one, and be wrong.
+bool hides_wrinkles(const Case& c) {
+  constexpr int kFine = 1442;
+  return !c.has_bending() && is_compressed(c) && c.fidelity.nodes < kFine;
+}
 
 double usual_error(const Case& c) {
   const Rung& rung = *std::ranges::find(rungs_of(c), c.fidelity.nodes, &Rung::nodes);
@@ -112,17 +120,18 @@ Case at_expected_rung(const Case& c) {
     const Case rung = at(c, each);
     if (!is_possible(rung) || !rung_below(rung)) continue;
     found = rung;
-    if (usual_error(rung) <= c.fidelity.error) break;
+    if (usual_error(rung) <= c.fidelity.error && !hides_wrinkles(rung)) break;
   }
   return found;
 }
 
 Case first_of_climb(const Case& c) {
   constexpr double kLargest = 4;
+  const auto can_begin_at = [&](const Case& rung) {
+    return rung_below(rung) && !hides_wrinkles(rung) && usual_error(rung) <= kLargest * c.fidelity.error;
+  };
   Case first = single_run(c);
-  for (auto below = rung_below(first);
-       below && rung_below(*below) && usual_error(*below) <= kLargest * c.fidelity.error;
-       below = rung_below(first))
+  for (auto below = rung_below(first); below && can_begin_at(*below); below = rung_below(first))
     first = *below;
   return first;
 }

@@ -33,7 +33,8 @@ std::optional<Case> rung_below(const Case& c);
 std::optional<Case> rung_above(const Case& c);
 
 /// The case at the rung that is expected to meet the error `c.fidelity.error`: the coarsest whose usual error
-/// is not larger, of those with a rung below; the finest if none is.
+/// is not larger, of those with a rung below; the finest if none is. Where a membrane without bending
+/// stiffness wrinkles, one that is fine enough to show it.
 Case at_expected_rung(const Case& c);
 
 /// The run at the rung with which the climb to `c.fidelity.error` begins: the coarsest whose usual error is

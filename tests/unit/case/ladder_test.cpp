@@ -113,6 +113,17 @@ TEST(Climb, BeginsAtACoarserRungWhichHasOneBelow) {
   EXPECT_EQ(first_of_climb(stokes(R"({"error": 0.5})")).fidelity.nodes, 92);
 }
 
+TEST(Climb, OfAMembraneThatWrinklesBeginsWhereTheMeshShowsIt) {
+  const auto nodes_for = [](const std::string& keys) {
+    return first_of_climb(
+               parsed_case(R"({"V": 1, "fluid": "stokes", "fidelity": {"error": 0.1}, )" + keys + "}"))
+        .fidelity.nodes;
+  };
+  EXPECT_EQ(nodes_for(R"("Ca": 0.02)"), 1442);
+  EXPECT_EQ(nodes_for(R"("Ca": 0.02, "E_b": 0.01)"), 92);
+  EXPECT_EQ(nodes_for(R"("Ca": 0.1)"), 92) << "which is not compressed";
+}
+
 TEST(UsualRuns, ForAnErrorAskedForAreRungsOneAfterTheOtherUpToTheExpectedOne) {
   const Case c = stokes(R"({"error": 0.003})");
   const std::vector<Case> runs = usual_runs(c);
