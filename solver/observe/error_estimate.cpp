@@ -45,7 +45,7 @@ constexpr BoundaryIntegrals kTwiceTheSpacing{
     .wrinkles = {.without_bending = {2.7, 2e-3}, .begins_to_wrinkle = {4.5, 0.05}, .folded = {4.5, 0.2}}};
 constexpr BoundaryIntegrals kNextRung{
     .rungs = kNextRungs,
-    .wrinkles = {.without_bending = {1.5, 3e-3}, .begins_to_wrinkle = {2.2, 0.05}, .folded = {2.2, 0.2}}};
+    .wrinkles = {.without_bending = {1.5, 3e-3}, .begins_to_wrinkle = {2.2, 3e-3}, .folded = {2.2, 0.2}}};
 constexpr double kWrinkling = 40;  // degrees
 
 /// In a thin inner fluid the error falls more slowly with the spacing. Coarse lattices resolve red cells with

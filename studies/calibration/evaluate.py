@@ -171,7 +171,7 @@ def stated(row):
 # An estimate from the next coarser rung: factor over that of an error of order p, and floor, as in the same file.
 NEXT_RUNG = {92: (2.3, 0.01, 0.04), 162: (1.15, 0.003, 0.02), 362: (1.15, 0.0015, 0.0015)}  # factor, floor, floor of red cells
 NEXT_FINE = (1.15, 8e-4, 8e-4)
-NEXT_WITHOUT_BENDING, NEXT_BEGINS_TO_WRINKLE, NEXT_FOLDED = (1.5, 3e-3), (2.2, 0.05), (2.2, 0.2)
+NEXT_WITHOUT_BENDING, NEXT_BEGINS_TO_WRINKLE, NEXT_FOLDED = (1.5, 3e-3), (2.2, 3e-3), (2.2, 0.2)
 LATTICE_WITHOUT_BENDING, LATTICE_BEGINS_TO_WRINKLE, LATTICE_FOLDED = (0.9, 2e-3), (1.5, 0.05), (1.5, 0.2)
 
 
