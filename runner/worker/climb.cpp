@@ -6,6 +6,7 @@
 #include "runner/worker/rung_run.hpp"
 #include "solver/case/ladder.hpp"
 #include "solver/case/shown_number.hpp"
+#include "solver/mesh/surface_quality.hpp"
 #include "solver/output/accuracy.hpp"
 #include "solver/run_directory/durable_file.hpp"
 
@@ -21,11 +22,11 @@ struct Pair {
 };
 
 struct Climb {
-  std::optional<Pair> best;        ///< the finest with an answer, or the finest
+  std::optional<Pair> best;        ///< the finest that has an answer; the finest if none has
   std::optional<double> estimate;  ///< of the last rung
   double seconds = 0;              ///< of all runs
   bool is_met = false, is_interrupted = false;
-  std::string why_no_finer;  ///< not empty: finer rungs would not help
+  std::string why_no_finer;  ///< why finer rungs would not help; empty if they may
 };
 
 std::string resolution_of(const Case& rung) {
@@ -53,14 +54,13 @@ std::optional<FinishedRun> run_of(const Case& rung, const RunDirectory& director
 /// to rung, unless the membrane wrinkles, or the estimate is the smallest that is ever given.
 std::string why_no_finer(const FinishedRun& run, std::optional<double> estimate,
                          std::optional<double> before) {
-  constexpr double kWrinkling = 40;  // degrees
   const int fine = run.parameters.has_grid() ? 2562 : 1442;
   if (run.parameters.fidelity.nodes < fine) return "";
   if (!run.is_answered())
     return "and the run with " + resolution_of(run.parameters) +
            " failed: " + run.result["message"].get<std::string>();
   if (!estimate || !before || *estimate < *before) return "";
-  const bool wrinkles = run.result["trust"]["surface"]["largest_dihedral"] > kWrinkling;
+  const bool wrinkles = run.result["trust"]["surface"]["largest_dihedral"] > kWrinkledEdge;
   return std::string("and it does not fall any further with the resolution") +
          (wrinkles ? ": the membrane wrinkles, where a bending stiffness E_b helps" : "");
 }

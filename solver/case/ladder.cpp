@@ -35,11 +35,11 @@ std::span<const Rung> rungs_of(const Case& c) {
 
 bool fits_box(const Case& c) { return !c.has_grid() || issue_of_grid(c).empty(); }
 
-/// Whether a lattice at this rung fits the box, and the box the capsule.
+/// Whether the cells of a lattice fill the box, and the capsule has room in it.
 bool is_possible(const Case& c) { return fits_box(c) && (!c.has_grid() || c.fidelity.box >= min_box(c)); }
 
-/// Whether a run of a membrane without bending stiffness is too coarse to show its wrinkles: then it may
-/// agree with a coarser one, and be wrong.
+/// Whether the mesh is too coarse for the wrinkles of a membrane without bending stiffness. Then two coarse
+/// runs may agree, and both be wrong.
 bool hides_wrinkles(const Case& c) {
   constexpr int kFine = 1442;
   return !c.has_bending() && is_compressed(c) && c.fidelity.nodes < kFine;
@@ -103,14 +103,18 @@ std::optional<Case> companion_of(const Case& c) {
 
 std::optional<Case> rung_below(const Case& c) {
   std::optional<Case> below;
-  for (const Rung& each : rungs_of(c))
-    if (const Case rung = at(c, each); each.nodes < c.fidelity.nodes && is_possible(rung)) below = rung;
+  for (const Rung& each : rungs_of(c)) {
+    if (each.nodes >= c.fidelity.nodes) break;
+    if (const Case rung = at(c, each); is_possible(rung)) below = rung;
+  }
   return below;
 }
 
 std::optional<Case> rung_above(const Case& c) {
-  for (const Rung& each : rungs_of(c))
-    if (const Case rung = at(c, each); each.nodes > c.fidelity.nodes && is_possible(rung)) return rung;
+  for (const Rung& each : rungs_of(c)) {
+    if (each.nodes <= c.fidelity.nodes) continue;
+    if (const Case rung = at(c, each); is_possible(rung)) return rung;
+  }
   return std::nullopt;
 }
 

@@ -33,13 +33,13 @@ std::optional<Case> rung_below(const Case& c);
 std::optional<Case> rung_above(const Case& c);
 
 /// The case at the rung that is expected to meet the error `c.fidelity.error`: the coarsest whose usual error
-/// is not larger, of those with a rung below; the finest if none is. Where a membrane without bending
-/// stiffness wrinkles, one that is fine enough to show it.
+/// is not larger, of those with a rung below; the finest if none is. If a membrane without bending stiffness
+/// is expected to wrinkle (wrinkling.hpp), the rung has at least 1442 nodes: coarser meshes cannot wrinkle.
 Case at_expected_rung(const Case& c);
 
 /// The run at the rung with which the climb to `c.fidelity.error` begins: the coarsest whose usual error is
-/// at most four times as large. Many scenes are resolved better than usual, and all coarser rungs together
-/// cost less than the last. \param c  at its expected rung
+/// at most four times as large, with as many nodes as wrinkles need. Many scenes are resolved better than
+/// usual, and all coarser rungs together cost less than the last. \param c  at its expected rung
 Case first_of_climb(const Case& c);
 
 /// All runs that a case usually takes, the coarsest first: its companion and itself; for an error asked for

@@ -14,8 +14,8 @@ inline constexpr double kMaxTime = 10000;  ///< shear time kt
 /// An issue for each limit that a case exceeds, with what to change. Empty for a case that can be run.
 Issues limits_exceeded(const Case& c);
 
-/// The smallest box / a of a lattice: half of it must contain the longest semi-axis, as the flow draws the
-/// capsule out, and the support of the delta function.
+/// The smallest box / a of a lattice. Half of it must contain the longest semi-axis of the capsule, as long
+/// as the flow draws it out, and the cells around it to which the regularised delta function extends.
 double min_box(const Case& c);
 
 /// Memory in bytes of a lattice that covers the whole domain; 0 for models with small grids or none.

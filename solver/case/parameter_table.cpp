@@ -175,6 +175,7 @@ std::vector<Parameter> trust_parameters() {
 std::vector<Parameter> resolution_parameters() {
   return {
       {.key = "error",
+       // no smaller error is ever stated (error_estimate.cpp)
        .value = number({1e-3, 0.5}, &Case::fidelity, &Fidelity::error),
        .conditions = {needs_ladder(), needs_error_asked_for()},
        .description = "Instead of a preset: the largest error that the run may have, as the largest change "

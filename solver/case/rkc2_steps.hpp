@@ -1,7 +1,7 @@
 #pragma once
-// Lengths and stages of the steps of the Runge-Kutta-Chebyshev method
-// (solver/simulation/runge_kutta_chebyshev.hpp), which follow from the spectral radius of dU/dX: the fastest
-// decay rate of the membrane, in units of k.
+// Length and number of stages of a step of the Runge-Kutta-Chebyshev method
+// (solver/simulation/runge_kutta_chebyshev.hpp). Both follow from the rate at which the fastest mode of the
+// membrane decays, in units of k: the spectral radius of dU/dX.
 #include <algorithm>
 #include <cmath>
 

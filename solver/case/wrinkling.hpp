@@ -7,12 +7,16 @@ namespace capstan {
 /// A sphere, or a spheroid with semi-axes that differ by less than a quarter.
 bool is_nearly_round(const Case& c);
 
-/// Whether the flow compresses the membrane so that it would wrinkle without bending stiffness. Measured to
-/// kt = 10, V = 1, 5 and 20, Ca = 0.02 to 0.5, with boundary integrals: at V = 1 red cells and spheroids of
-/// b/a = 0.7, 0.5, 0.25, 1.5 and 3 fold by 70 to 180 degrees from kt = 3 to 8 on where Ca is at most 0.1 to
-/// 0.2, at V = 5 the flatter ones, at V = 20 none. Nearly round shapes do at Ca = 0.0125 to 0.02 and V = 1,
-/// not at 0.05. Larger Ca draw the capsule out to sharp tips, and its middle stays smooth.
+/// Whether the flow compresses the membrane so much that it would wrinkle without bending stiffness. The
+/// limits are from runs with boundary integrals to kt = 10, at V = 1, 5 and 20 and Ca = 0.02 to 0.5:
+/// - Red cells, and spheroids with b/a = 0.7, 0.5, 0.25, 1.5 and 3, at V = 1 and Ca up to 0.1 or 0.2:
+///   neighbouring triangles meet at angles of 70 to 180 degrees from kt = 3 to 8 on. At V = 5 only the
+///   flatter shapes wrinkle, at V = 20 none does.
+/// - Nearly round shapes wrinkle at V = 1 and Ca = 0.0125 to 0.02, but not at Ca = 0.05.
+/// - At larger Ca the ends of the capsule become pointed, and the rest of the membrane stays smooth.
 bool is_compressed(const Case& c);
-inline constexpr double kFirstWrinkles = 2;  ///< kt: none are seen before
+
+/// The time kt before which no wrinkles were seen.
+inline constexpr double kFirstWrinkles = 2;
 
 }  // namespace capstan

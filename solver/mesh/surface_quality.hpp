@@ -6,6 +6,8 @@
 
 namespace capstan {
 
+/// Above this angle in degrees between two triangles a membrane without bending stiffness wrinkles.
+inline constexpr double kWrinkledEdge = 40;
 inline constexpr double kFoldedEdge = 60;  ///< degrees; edges of smooth shapes with 642 vertices have 6 to 18
 
 struct SurfaceQuality {

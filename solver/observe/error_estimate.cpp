@@ -46,7 +46,6 @@ constexpr BoundaryIntegrals kTwiceTheSpacing{
 constexpr BoundaryIntegrals kNextRung{
     .rungs = kNextRungs,
     .wrinkles = {.without_bending = {1.5, 3e-3}, .begins_to_wrinkle = {2.2, 3e-3}, .folded = {2.2, 0.2}}};
-constexpr double kWrinkling = 40;  // degrees
 
 /// In a thin inner fluid the error falls more slowly with the spacing. Coarse lattices resolve red cells with
 /// a viscous inner fluid so poorly that two rungs can agree on the wrong motion.
@@ -60,10 +59,6 @@ double ratio_of_spacings(const Case& run, const Case& coarser) {
 }
 
 bool are_neighbours(const Case& run, const Case& coarser) { return ratio_of_spacings(run, coarser) < 1.75; }
-
-const BoundaryIntegrals& boundary_integrals(const Case& run, const Case& coarser) {
-  return are_neighbours(run, coarser) ? kNextRung : kTwiceTheSpacing;
-}
 
 /// The error of order p, over the distance.
 double extrapolated(const Case& run, const Case& coarser) {
@@ -88,7 +83,8 @@ Calibration larger(const Calibration& a, const Calibration& b) {
   return {std::max(a.factor, b.factor), std::max(a.floor, b.floor)};
 }
 
-/// Whether the finer mesh only has finer wrinkles.
+/// Whether the surface is nearly as rough on the finer mesh as on the coarser one. Then its wrinkles are as
+/// narrow as each mesh allows.
 bool is_rough_on_both(const EstimatedRun& run, const EstimatedRun& coarser) {
   constexpr double kRough = 30;  // degrees
   const double smoother = are_neighbours(run.parameters, coarser.parameters) ? 0.9 : 0.8;
@@ -97,11 +93,12 @@ bool is_rough_on_both(const EstimatedRun& run, const EstimatedRun& coarser) {
 
 Calibration calibration_without_bending(const EstimatedRun& run, const EstimatedRun& coarser,
                                         const WrinkleCalibration& wrinkles) {
-  constexpr Calibration kOfASphere{0, 0.02};
-  const bool is_sphere = run.parameters.shape == Shape::sphere, is_rough = is_rough_on_both(run, coarser);
-  if (is_rough && !is_sphere) return wrinkles.folded;
-  if (run.largest_dihedral > kWrinkling) return wrinkles.begins_to_wrinkle;
-  return is_rough ? larger(wrinkles.without_bending, kOfASphere) : wrinkles.without_bending;
+  constexpr Calibration kRoughSphere{0, 0.02};
+  Calibration calibration = wrinkles.without_bending;
+  if (run.largest_dihedral > kWrinkledEdge) calibration = larger(calibration, wrinkles.begins_to_wrinkle);
+  if (is_rough_on_both(run, coarser))
+    calibration = larger(calibration, run.parameters.shape == Shape::sphere ? kRoughSphere : wrinkles.folded);
+  return calibration;
 }
 
 Calibration calibration_of(const EstimatedRun& run, const EstimatedRun& coarser, const Calibration& of_rung,
@@ -116,7 +113,7 @@ Calibration calibration_of(const EstimatedRun& run, const EstimatedRun& coarser,
 Calibration calibration_of(const EstimatedRun& run, const EstimatedRun& coarser) {
   const Case& c = run.parameters;
   if (c.has_grid()) return calibration_of(run, coarser, calibration_of_lattice(c), kWrinklesOnLattice);
-  const BoundaryIntegrals& calibration = boundary_integrals(c, coarser.parameters);
+  const BoundaryIntegrals& calibration = are_neighbours(c, coarser.parameters) ? kNextRung : kTwiceTheSpacing;
   return calibration_of(run, coarser, calibration_of_rung(c, calibration), calibration.wrinkles);
 }
 

@@ -24,12 +24,13 @@ struct EstimatedRun {
 /// the error of the run with h; p = 2 for boundary integrals, 1 for lattices. The estimate is the error that
 /// follows, times a factor, and not less than a smallest error. Both were calibrated for each flow model and
 /// rung on random scenes, so that at least 95 % of the true errors are smaller (studies/calibration). Two
-/// neighbouring rungs of boundary integrals need smaller factors: their errors differ less in form. If the
-/// coarser run ended earlier, the error is taken to grow in proportion to time.
+/// neighbouring rungs of boundary integrals need smaller factors, since the errors of two runs with nearly
+/// equal spacings are nearly proportional to each other. If the coarser run ended earlier, the error is taken
+/// to grow in proportion to time.
 ///
-/// On a finer mesh the angles between neighbouring triangles of a smooth surface are smaller. Without bending
-/// stiffness they are not where the membrane wrinkles as finely as the mesh allows: then nothing converges,
-/// and the error is at least 0.2, of a sphere at least 0.02.
+/// On a finer mesh the angles between neighbouring triangles of a smooth surface are smaller. They are not
+/// where a membrane without bending stiffness has wrinkles as narrow as the mesh allows. Its motion then does
+/// not converge, and the estimate is at least 0.2, or 0.02 for a sphere.
 ///
 /// Deformation, angle and period of two rungs may agree by chance where Q does not: their errors are taken
 /// from Q, too.

@@ -107,7 +107,7 @@ def rows_of(ladders):
 COARSEST, COARSE, BOUNDARY_INTEGRALS, LATTICE = (1.3, 0.01), (0.65, 0.002), (0.65, 8e-4), (1, 1e-3)
 COARSEST_DIMPLES = (1.3, 0.04)
 LATTICE_THIN, COARSE_LATTICE_VISCOUS = (1.4, 1e-3), (6, 1e-3)
-WITHOUT_BENDING, BEGINS_TO_WRINKLE, FOLDED = (0.9, 2e-3), (1.5, 0.05), (1.5, 0.2)
+WRINKLES = (0.9, 2e-3), (1.5, 0.05), (1.5, 0.2)  # without bending stiffness, begins to wrinkle, folded
 ROUGH_SPHERE = (0, 0.02)
 WRINKLING, ROUGH = 40, 30  # degrees
 
@@ -146,17 +146,23 @@ def calibration_of_rung(row):
     return COARSEST if row["rung"] <= 162 else COARSE if row["rung"] < 642 else BOUNDARY_INTEGRALS
 
 
-def calibration_of(row):
-    all_that_apply = [calibration_of_rung(row)]
+def with_wrinkles(row, of_rung, wrinkles, other):
+    """The largest of all factors and floors that apply to a run that is compared with the run at the rung `other`."""
+    without_bending, begins_to_wrinkle, folded = wrinkles
+    all_that_apply = [of_rung]
     if row["case"].get("E_b", 0) == 0:
-        all_that_apply.append(WITHOUT_BENDING)
+        all_that_apply.append(without_bending)
         if largest_dihedral(row) > WRINKLING:
-            all_that_apply.append(BEGINS_TO_WRINKLE)
-        if is_rough_on_both(row, companion(row["rung"])):
-            all_that_apply.append(ROUGH_SPHERE if row["case"]["shape"] == "sphere" else FOLDED)
+            all_that_apply.append(begins_to_wrinkle)
+        if is_rough_on_both(row, other):
+            all_that_apply.append(ROUGH_SPHERE if row["case"]["shape"] == "sphere" else folded)
     if is_folded(row):
-        all_that_apply.append(FOLDED)
+        all_that_apply.append(folded)
     return [max(values) for values in zip(*all_that_apply)]
+
+
+def calibration_of(row):
+    return with_wrinkles(row, calibration_of_rung(row), WRINKLES, companion(row["rung"]))
 
 
 def stated(row):
@@ -171,8 +177,7 @@ def stated(row):
 # An estimate from the next coarser rung: factor over that of an error of order p, and floor, as in the same file.
 NEXT_RUNG = {92: (2.3, 0.01, 0.04), 162: (1.15, 0.003, 0.02), 362: (1.15, 0.0015, 0.0015)}  # factor, floor, floor of red cells
 NEXT_FINE = (1.15, 8e-4, 8e-4)
-NEXT_WITHOUT_BENDING, NEXT_BEGINS_TO_WRINKLE, NEXT_FOLDED = (1.5, 3e-3), (2.2, 3e-3), (2.2, 0.2)
-LATTICE_WITHOUT_BENDING, LATTICE_BEGINS_TO_WRINKLE, LATTICE_FOLDED = (0.9, 2e-3), (1.5, 0.05), (1.5, 0.2)
+NEXT_WRINKLES = (1.5, 3e-3), (2.2, 3e-3), (2.2, 0.2)
 
 
 def stated_from_next_rung(row):
@@ -182,18 +187,12 @@ def stated_from_next_rung(row):
     below = rungs[rungs.index(nodes) - 1]
     if below not in runs or not runs[below].ended():
         return None
-    factor, floor, of_red_cells = NEXT_RUNG.get(nodes, NEXT_FINE)
-    calibrations = [calibration_of_lattice(row) if on_lattice else (factor, of_red_cells if row["case"]["shape"] == "biconcave" else floor)]
-    if row["case"].get("E_b", 0) == 0:
-        calibrations.append(LATTICE_WITHOUT_BENDING if on_lattice else NEXT_WITHOUT_BENDING)
-        if largest_dihedral(row) > WRINKLING:
-            calibrations.append(LATTICE_BEGINS_TO_WRINKLE if on_lattice else NEXT_BEGINS_TO_WRINKLE)
-        if is_rough_on_both(row, below):
-            folded = LATTICE_FOLDED if on_lattice else NEXT_FOLDED
-            calibrations.append(ROUGH_SPHERE if row["case"]["shape"] == "sphere" else folded)
-    if is_folded(row):
-        calibrations.append(LATTICE_FOLDED if on_lattice else NEXT_FOLDED)
-    factor, floor = (max(values) for values in zip(*calibrations))
+    if on_lattice:
+        factor, floor = with_wrinkles(row, calibration_of_lattice(row), WRINKLES, below)
+    else:
+        factor, usual_floor, of_red_cells = NEXT_RUNG.get(nodes, NEXT_FINE)
+        of_rung = factor, of_red_cells if row["case"]["shape"] == "biconcave" else usual_floor
+        factor, floor = with_wrinkles(row, of_rung, NEXT_WRINKLES, below)
     ratio = math.sqrt((nodes - 2) / (below - 2))
     order = 1 if on_lattice else 2
     return min(2, max(floor, factor * to_companion(runs[nodes], runs[below])["Q"] / (ratio**order - 1)))

@@ -162,6 +162,17 @@ TEST_F(SolveTest, AClimbThatIsInterruptedAgainAndAgainHasTheSameAnswer) {
   expect_same_answer("interrupted", "undisturbed");
 }
 
+TEST_F(SolveTest, AnErrorThatTheFinestRungDoesNotMeetIsAWarning) {
+  ASSERT_EQ(solve(write_case(R"({"Ca": 0.5, "V": 10, "fluid": "quasisteady", "until": {"kt": 0.2},
+    "fidelity": {"error": 0.001, "box": 6.4}, "outputs": {"shapes_every": 0}})"),
+                  "climb"),
+            0);
+  EXPECT_EQ(result("climb")["error"]["met"], false);
+  EXPECT_EQ(result("climb")["error"]["nodes"], 10242);
+  EXPECT_THAT(result("climb")["trust"]["warnings"].dump(),
+              HasSubstr("the error asked for, 0.001, was not met"));
+}
+
 // Without bending stiffness no error below 0.003 is stated.
 TEST_F(SolveTest, AClimbEndsWhereFinerRungsComeNoNearerAndSaysSo) {
   ASSERT_EQ(solve(write_case(R"({"Ca": 0.1, "fluid": "stokes", "until": {"kt": 0.2},

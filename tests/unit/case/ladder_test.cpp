@@ -150,6 +150,7 @@ TEST(ErrorAskedFor, ReplacesTheSettingsOfTheResolution) {
   EXPECT_EQ(issues_of(R"({"error": 0.01})"), 0u);
   EXPECT_EQ(issues_of(R"({"error": 0.01, "box": 9.6, "symmetry": "none"})"), 0u);
   EXPECT_EQ(issues_of(R"({"error": 0.01, "dx": 0.2, "nodes": 642, "preset": "fast"})"), 3u);
+  EXPECT_EQ(issues_of(R"({"error": 0})"), 1u);
   EXPECT_EQ(issues_of(R"({"error": 0.0009})"), 1u) << "smaller than any that is stated";
   EXPECT_EQ(issues_of(R"({"error": 0.01, "box": 10})"), 2u);
 }
