@@ -1,21 +1,21 @@
 #pragma once
 // One time grid for the histories of a study, so that they are a table of points by times.
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "runner/store/database.hpp"
+#include "solver/case/output_times.hpp"
 #include "solver/run_directory/history_line.hpp"
 
 namespace capstan {
 
-/// The times 0, `every`, 2 `every`, …, as decimal numbers: 0.3, not 0.30000000000000004.
+/// The times 0, `every`, 2 `every`, …
 struct TimeGrid {
   double every = 0;
   std::size_t size = 0;
 
-  double time(std::size_t index) const { return std::round(static_cast<double>(index) * every * 1e9) / 1e9; }
+  double time(std::size_t index) const { return OutputTimes(every)[static_cast<long>(index)]; }
 };
 
 /// The grid up to the end of the study's longest run.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "solver/case/case.hpp"
+#include "solver/case/output_times.hpp"
 #include "solver/fluid/flow_model.hpp"
 #include "solver/membrane/membrane.hpp"
 #include "solver/mesh/icosphere.hpp"
@@ -16,7 +17,6 @@
 #include "solver/observe/surface_watch.hpp"
 #include "solver/run_directory/stop.hpp"
 #include "solver/simulation/membrane_state.hpp"
-#include "solver/simulation/output_times.hpp"
 #include "solver/simulation/run_output.hpp"
 #include "solver/simulation/time_step.hpp"
 

@@ -1,4 +1,4 @@
-#include "solver/simulation/output_times.hpp"
+#include "solver/case/output_times.hpp"
 
 #include <gtest/gtest.h>
 
