@@ -12,7 +12,9 @@
 namespace capstan {
 
 double smoothed_heaviside(double distance_in_cells, double half_width) {
-  const double s = std::clamp(distance_in_cells / half_width, -1.0, 1.0);
+  const double s = distance_in_cells / half_width;
+  if (s <= -1) return 0;
+  if (s >= 1) return 1;
   return 0.5 * (1 + s + std::sin(std::numbers::pi * s) / std::numbers::pi);
 }
 
@@ -23,44 +25,45 @@ ViscosityField::ViscosityField(const GridGeometry& grid, const TriangleMesh& mes
       orbits_(std::move(orbits)),
       patch_(patch_around(orbits_.representatives(), 1, mesh)) {}
 
-// Calls visit(i, y, z, H, vertex) for each cell of the box: i counts from the start of its row, and vertex is
-// the nearest one, or kNone far from the membrane.
+// Calls visit(i, y, z, distance, vertex) for each cell of the box: i counts from the start of its row, the
+// distance is in cells, and vertex is the nearest one, or kNone far from the membrane.
 //
 // Only cells in a band around the membrane have a nearest vertex and a distance. A cell beyond the band is
 // inside or outside like the last band cell before it in its row; cells before the first band cell are
 // outside.
 template <class Visit>
 void ViscosityField::for_each_cell(const Points& positions, const IndexBox& box, Visit visit) {
+  constexpr double kFar = 100;  // cells
   measure_surface(positions);
   nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach_, box);
   for_each_row_in_order(box, [&](int y, int z) {
-    double outside = 1;
+    double beyond = kFar;
     const int* nearest = nearest_.row(y, z);
     for (int i = 0; i < box.size(0); ++i) {
       const int vertex = nearest[i];
-      double H = outside;
+      double distance = beyond;
       if (vertex != NearestVertices::kNone) {
         const Vec3 centre = grid_.origin + grid_.dx * Vec3(box.lo[0] + i, y, z);
-        const double distance = signed_distance(centre - positions.col(vertex), vertex);
-        H = smoothed_heaviside(distance / grid_.dx, half_width_);
-        outside = distance > 0 ? 1 : 0;
+        distance = signed_distance(centre - positions.col(vertex), vertex) / grid_.dx;
+        beyond = distance > 0 ? kFar : -kFar;
       }
-      visit(i, y, z, H, vertex);
+      visit(i, y, z, distance, vertex);
     }
   });
 }
 
 void ViscosityField::update(const Points& positions, double ambient, double inner, ScalarField& viscosity) {
-  for_each_cell(positions, viscosity.box(), [&](int i, int y, int z, double H, int) {
-    viscosity.row(0, y, z)[i] = inner + (ambient - inner) * H;
+  for_each_cell(positions, viscosity.box(), [&](int i, int y, int z, double distance, int) {
+    viscosity.row(0, y, z)[i] = inner + (ambient - inner) * smoothed_heaviside(distance, half_width_);
   });
 }
 
-void ViscosityField::update(const Points& positions, InterfaceField& interface) {
-  for_each_cell(positions, interface.box(), [&](int i, int y, int z, double H, int vertex) {
-    interface.row(0, y, z)[i] = H;
+void ViscosityField::update(const Points& positions, double shift, InterfaceField& interface) {
+  for_each_cell(positions, interface.box(), [&](int i, int y, int z, double distance, int vertex) {
+    interface.row(kAmbientPart, y, z)[i] = smoothed_heaviside(distance - shift, half_width_);
+    interface.row(kAmbientPartOfShear, y, z)[i] = smoothed_heaviside(distance, half_width_);
     const Vec3 normal = vertex == NearestVertices::kNone ? Vec3(Vec3::Zero()) : Vec3(normals_.col(vertex));
-    for (int axis = 0; axis < 3; ++axis) interface.row(1 + axis, y, z)[i] = normal[axis];
+    for (int axis = 0; axis < 3; ++axis) interface.row(kMembraneNormal + axis, y, z)[i] = normal[axis];
   });
 }
 

@@ -15,9 +15,16 @@ inline constexpr double kPaperHalfWidth = 2;
 /// Smoothed Heaviside function of the signed distance in cells (eq. 41): 0 below -half_width, 1 above.
 double smoothed_heaviside(double distance_in_cells, double half_width);
 
-/// Where a cell lies relative to the membrane: first the part of it that counts as ambient fluid, 0 to 1,
-/// then the normal of the membrane near it, or 0 far from the membrane.
-using InterfaceField = CellField<4>;
+/// Components of an InterfaceField: the part of a cell that counts as ambient fluid, 0 to 1, in the
+/// arithmetic mean of the viscosities and in the harmonic one; the normal of the membrane near the cell, or 0
+/// far from the membrane.
+enum CellInterface {
+  kAmbientPart,
+  kAmbientPartOfShear,
+  kMembraneNormal,
+  kCellInterface = kMembraneNormal + 3
+};
+using InterfaceField = CellField<kCellInterface>;
 
 class ViscosityField {
  public:
@@ -30,8 +37,10 @@ class ViscosityField {
   /// \param positions  3 x #V
   void update(const Points& positions, double ambient, double inner, ScalarField& viscosity);
 
-  /// H(d / dx) and the normals, in the cells of the field's box, which must contain the capsule.
-  void update(const Points& positions, InterfaceField& interface);
+  /// H(d / dx - shift), H(d / dx) and the normals, in the cells of the field's box, which must contain the
+  /// capsule.
+  /// \param shift  in cells, outwards; small compared to 2
+  void update(const Points& positions, double shift, InterfaceField& interface);
 
  private:
   template <class Visit>

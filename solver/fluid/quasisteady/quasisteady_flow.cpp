@@ -138,13 +138,13 @@ void QuasisteadyFlow<T>::put_viscosity(const Points& positions) {
   const IndexBox capsule = coupling_.touched();
   InterfaceField interface;
   interface.reset(capsule);
-  viscosity_->update(positions, interface);
+  viscosity_->update(positions, shift_of_stress(options_.V), interface);
   grids_.front().set_viscosity(interface, options_.V);
   ScalarField ratio;
   ratio.reset(capsule);
   for_each_row_in_order(capsule, [&](int y, int z) {
     for (int i = 0; i < capsule.size(0); ++i)
-      ratio.row(0, y, z)[i] = options_.V + (1 - options_.V) * interface.row(0, y, z)[i];
+      ratio.row(0, y, z)[i] = options_.V + (1 - options_.V) * interface.row(kAmbientPart, y, z)[i];
   });
   for (std::size_t grid = 1; grid < grids_.size(); ++grid) {
     ratio = coarsened(ratio, 1);

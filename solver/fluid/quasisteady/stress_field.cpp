@@ -27,13 +27,14 @@ CAPSTAN_VECTOR_UNITS bool put_factors(const double* ratio, T* __restrict c, int 
   return nonzero > 0;
 }
 
-/// The factors c of the arithmetic mean and c_H - c, from the part of ambient fluid in each cell.
+/// The factors c of the arithmetic mean and c_H - c, from the parts of ambient fluid in each cell.
 template <class T>
-CAPSTAN_VECTOR_UNITS bool put_factors(const double* ambient, double V, T* __restrict arithmetic,
-                                      T* __restrict harmonic, int count) {
+CAPSTAN_VECTOR_UNITS bool put_factors(const double* ambient, const double* ambient_of_shear, double V,
+                                      T* __restrict arithmetic, T* __restrict harmonic, int count) {
   int nonzero = 0;
   for (int i = 0; i < count; ++i) {
-    const double H = ambient[i], R = H + (1 - H) * V, R_H = V / (H * V + (1 - H));
+    const double H = ambient[i], H_shear = ambient_of_shear[i];
+    const double R = H + (1 - H) * V, R_H = V / (H_shear * V + (1 - H_shear));
     const double c = 1 - 2 / (1 + R);
     arithmetic[i] = T(c);
     harmonic[i] = T(1 - 2 / (1 + R_H) - c);
@@ -96,9 +97,10 @@ void StressField<T>::set_viscosity(const InterfaceField& interface, double V) {
     T* factors = interface_.row(kArithmetic, y, z) + first;
     const std::ptrdiff_t stride = interface_.strides().component;
     has_other_viscosity[row_index(y, z)] =
-        put_factors(interface.row(0, y, z), V, factors, factors + kHarmonic * stride, count);
+        put_factors(interface.row(kAmbientPart, y, z), interface.row(kAmbientPartOfShear, y, z), V, factors,
+                    factors + kHarmonic * stride, count);
     for (int axis = 0; axis < 3; ++axis) {
-      const double* normal = interface.row(1 + axis, y, z);
+      const double* normal = interface.row(kMembraneNormal + axis, y, z);
       T* to = factors + (kNormalX + axis) * stride;
       for (int i = 0; i < count; ++i) {
         to[i] = T(normal[i]);

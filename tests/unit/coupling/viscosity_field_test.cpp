@@ -114,6 +114,25 @@ TEST(ViscosityField, SphereIsOverfilledByTheEffectOfSmoothingOnly) {
   }
 }
 
+TEST(ViscosityField, ShiftMovesTheJumpOfTheArithmeticMeanOutwardsAndLeavesThatOfShear) {
+  const Icosphere sphere = make_icosphere(4);
+  constexpr double kDx = 0.1, kHalfWidth = 0.5, kShift = 0.3;
+  const GridGeometry grid{.origin = Vec3::Constant(0.5 * kDx - 1.6), .dx = kDx};
+  InterfaceField interface;
+  interface.reset(box_from_zero({32, 32, 32}));
+  ViscosityField(grid, sphere.mesh, Orbits::without_symmetry(sphere.mesh.vertex_count()), kHalfWidth)
+      .update(sphere.directions, kShift, interface);
+  for_each_row_in_order(interface.box(), [&](int y, int z) {
+    for (int x = 0; x < 32; ++x) {
+      const double distance = ((grid.origin + kDx * Vec3(x, y, z)).norm() - 1) / kDx;
+      EXPECT_NEAR(interface.row(kAmbientPart, y, z)[x], smoothed_heaviside(distance - kShift, kHalfWidth),
+                  0.02);
+      EXPECT_NEAR(interface.row(kAmbientPartOfShear, y, z)[x], smoothed_heaviside(distance, kHalfWidth),
+                  0.02);
+    }
+  });
+}
+
 TEST(SmoothedHeaviside, RisesFromZeroToOneOverTwoCellsOnEitherSide) {
   EXPECT_NEAR(smoothed_heaviside(-2, kPaperHalfWidth), 0, 1e-15);
   EXPECT_NEAR(smoothed_heaviside(-5, kPaperHalfWidth), 0, 1e-15);
