@@ -46,18 +46,18 @@
 //
 // Stress along the membrane. Here the strain rate is continuous, and the arithmetic mean of the viscosity
 // counts (stress_tensor.hpp). But the lattice passes a stress on to the next cells, so that the layer lacks a
-// part of it. In the solution of all moments of the lattice near a flat membrane under a strain along it, it
-// is that of 0.02 cells of the inner fluid at V = 4 if the strain changes areas, and of 0.09 cells under
-// shear. In the mean over the three strains along the membrane, the directions of n and the positions of the
-// membrane, for V from 0.2 to 12, it is that of
+// part of it: at V = 4 that of 0.02 cells of the inner fluid under a strain that changes areas, of 0.09 cells
+// under shear, by the solution of all moments of the lattice near a flat membrane (studies/flat_membrane). In
+// the mean over the three strains along the membrane, the directions of n and the positions of the membrane,
+// for V from 2 to 12, it is that of
 //   0.15 (V - 1)/(V + 2.85) cells.
 // The jump of the arithmetic mean lies so far outside of the membrane.
 //
 // What is still of first order in that solution, at V = 4 and 10:
-//   C would have to be negative, -0.025 and -0.087; s is 8 % too small.
-//   Strain along the membrane makes the fluid slip by 0.08 and 0.28 times its rate (root mean square over the
-//   directions of n; none along axes and diagonals of faces). Half of (b) of stress_tensor.hpp would remove
-//   this slip, but the inner fluid needs all of it.
+//   C would have to be negative, -0.02 and -0.08; s is 7 % too small.
+//   A strain along the membrane that changes areas makes the fluid slip by 0.08 and 0.33 times its rate (root
+//   mean square over the directions of n; nothing along the axes and the diagonals of faces and cells). Half
+//   of (b) of stress_tensor.hpp would remove this slip, but the inner fluid needs all of it.
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {
