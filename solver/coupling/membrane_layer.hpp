@@ -45,19 +45,21 @@
 // sphere at V = 1 is 0.002 instead of 0.003, that of a red cell 0.008 instead of 0.003.
 //
 // Stress along the membrane. Here the strain rate is continuous, and the arithmetic mean of the viscosity
-// counts (stress_tensor.hpp). But the lattice passes a stress on to the next cells, so that the layer lacks a
-// part of it: at V = 4 that of 0.02 cells of the inner fluid under a strain that changes areas, of 0.09 cells
-// under shear, by the solution of all moments of the lattice near a flat membrane (studies/flat_membrane). In
-// the mean over the three strains along the membrane, the directions of n and the positions of the membrane,
-// for V from 2 to 12, it is that of
+// counts (stress_tensor.hpp). But the lattice passes a stress on to the next cells, so that the stress along
+// the membrane, summed across the layer, is too small. What is missing is the stress that a layer of inner
+// fluid has beyond that of ambient fluid, at V = 4 of a layer of 0.02 cells under a strain that changes areas
+// and of 0.09 cells under shear (exact solution near a flat membrane: studies/flat_membrane). In the mean
+// over the three strains along the membrane, the directions of n and the positions of the membrane, for V
+// from 2 to 12, it is
 //   0.15 (V - 1)/(V + 2.85) cells.
-// The jump of the arithmetic mean lies so far outside of the membrane.
+// The jump of the arithmetic mean is moved outwards by this.
 //
 // What is still of first order in that solution, at V = 4 and 10:
-//   C would have to be negative, -0.02 and -0.08; s is 7 % too small.
+//   C would have to be negative, -0.02 and -0.08; s is 7 to 8 % too small in magnitude.
 //   A strain along the membrane that changes areas makes the fluid slip by 0.08 and 0.33 times its rate (root
-//   mean square over the directions of n; nothing along the axes and the diagonals of faces and cells). Half
-//   of (b) of stress_tensor.hpp would remove this slip, but the inner fluid needs all of it.
+//   mean square over the directions of n; nothing along the axes and the diagonals of faces and cells).
+//   Without (b) of stress_tensor.hpp the slip has the opposite sign, so that a little less than half of (b)
+//   would remove it, but the inner fluid needs all of it.
 #include "solver/mesh/triangle_mesh.hpp"
 
 namespace capstan {
@@ -68,8 +70,12 @@ namespace capstan {
 /// a sphere of V = 10 twice.
 inline constexpr double kViscosityHalfWidth = 0.5;
 
-/// How far outside of the membrane the jump of the arithmetic mean lies, in cells.
-inline double shift_of_stress(double V) { return 0.15 * (V - 1) / (V + 2.85); }
+/// Upper limit of shift_of_stress().
+inline constexpr double kMaxShift = 0.15;
+
+/// How far outside of the membrane the jump of the arithmetic mean lies, in cells; inside for V < 1, where it
+/// is half of what the solution above asks for. Fitted to this solution for V from 2 to 12.
+inline double shift_of_stress(double V) { return kMaxShift * (V - 1) / (V + 2.85); }
 
 /// The factors of the two terms.
 struct LayerCorrections {

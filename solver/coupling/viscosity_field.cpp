@@ -60,7 +60,7 @@ void ViscosityField::update(const Points& positions, double ambient, double inne
 
 void ViscosityField::update(const Points& positions, double shift, InterfaceField& interface) {
   for_each_cell(positions, interface.box(), [&](int i, int y, int z, double distance, int vertex) {
-    interface.row(kAmbientPart, y, z)[i] = smoothed_heaviside(distance - shift, half_width_);
+    interface.row(kAmbientPartAlong, y, z)[i] = smoothed_heaviside(distance - shift, half_width_);
     interface.row(kAmbientPartOfShear, y, z)[i] = smoothed_heaviside(distance, half_width_);
     const Vec3 normal = vertex == NearestVertices::kNone ? Vec3(Vec3::Zero()) : Vec3(normals_.col(vertex));
     for (int axis = 0; axis < 3; ++axis) interface.row(kMembraneNormal + axis, y, z)[i] = normal[axis];

@@ -1,6 +1,6 @@
 #pragma once
 // The viscosity around the membrane (paper eqs. 40, 41): the inner one inside, the ambient one outside,
-// smoothed over a few cells.
+// smoothed over half a cell to two cells on either side.
 #include "solver/coupling/immersed_boundary.hpp"
 #include "solver/coupling/nearest_vertices.hpp"
 #include "solver/grid/cell_field.hpp"
@@ -15,16 +15,16 @@ inline constexpr double kPaperHalfWidth = 2;
 /// Smoothed Heaviside function of the signed distance in cells (eq. 41): 0 below -half_width, 1 above.
 double smoothed_heaviside(double distance_in_cells, double half_width);
 
-/// Components of an InterfaceField: the part of a cell that counts as ambient fluid, 0 to 1, in the
-/// arithmetic mean of the viscosities and in the harmonic one; the normal of the membrane near the cell, or 0
-/// far from the membrane.
+/// Components of an InterfaceField: the part of a cell that counts as ambient fluid, 0 to 1, for stresses
+/// along the membrane (arithmetic mean of the viscosities) and for the shear stress across it (harmonic
+/// mean); the normal of the membrane near the cell, or 0 far from the membrane.
 enum CellInterface {
-  kAmbientPart,
+  kAmbientPartAlong,
   kAmbientPartOfShear,
   kMembraneNormal,
-  kCellInterface = kMembraneNormal + 3
+  kCellInterfaces = kMembraneNormal + 3
 };
-using InterfaceField = CellField<kCellInterface>;
+using InterfaceField = CellField<kCellInterfaces>;
 
 class ViscosityField {
  public:
@@ -39,7 +39,7 @@ class ViscosityField {
 
   /// H(d / dx - shift), H(d / dx) and the normals, in the cells of the field's box, which must contain the
   /// capsule.
-  /// \param shift  in cells, outwards; small compared to 2
+  /// \param shift  in cells, outwards; at most 2 with the half width, since distances reach two cells
   void update(const Points& positions, double shift, InterfaceField& interface);
 
  private:

@@ -14,7 +14,8 @@
 
 namespace capstan {
 
-static_assert(kViscosityHalfWidth <= kSharpeningReach, "the kernels reach beyond the jump of the viscosity");
+static_assert(kViscosityHalfWidth + kMaxShift <= kSharpeningReach,
+              "the kernels reach beyond the jump of the viscosity");
 
 class MembraneCoupling {
  public:

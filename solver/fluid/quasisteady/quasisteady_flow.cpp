@@ -144,7 +144,7 @@ void QuasisteadyFlow<T>::put_viscosity(const Points& positions) {
   ratio.reset(capsule);
   for_each_row_in_order(capsule, [&](int y, int z) {
     for (int i = 0; i < capsule.size(0); ++i)
-      ratio.row(0, y, z)[i] = options_.V + (1 - options_.V) * interface.row(kAmbientPart, y, z)[i];
+      ratio.row(0, y, z)[i] = options_.V + (1 - options_.V) * interface.row(kAmbientPartAlong, y, z)[i];
   });
   for (std::size_t grid = 1; grid < grids_.size(); ++grid) {
     ratio = coarsened(ratio, 1);

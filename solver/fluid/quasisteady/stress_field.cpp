@@ -97,8 +97,8 @@ void StressField<T>::set_viscosity(const InterfaceField& interface, double V) {
     T* factors = interface_.row(kArithmetic, y, z) + first;
     const std::ptrdiff_t stride = interface_.strides().component;
     has_other_viscosity[row_index(y, z)] =
-        put_factors(interface.row(kAmbientPart, y, z), interface.row(kAmbientPartOfShear, y, z), V, factors,
-                    factors + kHarmonic * stride, count);
+        put_factors(interface.row(kAmbientPartAlong, y, z), interface.row(kAmbientPartOfShear, y, z), V,
+                    factors, factors + kHarmonic * stride, count);
     for (int axis = 0; axis < 3; ++axis) {
       const double* normal = interface.row(kMembraneNormal + axis, y, z);
       T* to = factors + (kNormalX + axis) * stride;

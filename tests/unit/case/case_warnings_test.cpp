@@ -45,8 +45,8 @@ TEST(CaseWarnings, ALatticeFinerThanTheMeshSaysWhatToChange) {
 
 TEST(CaseWarnings, AViscousInsideOnACoarseLatticeSaysHowFarOffAndWhatToUse) {
   EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 30, "fidelity": "fast")"),
-              ElementsAre(AllOf(HasSubstr("V = 30"), HasSubstr("26.6 %"), HasSubstr("\"fluid\": \"stokes\""),
-                                HasSubstr("dx of at most 0.075")),
+              ElementsAre(AllOf(HasSubstr("V = 30"), HasSubstr("64.2 %"), HasSubstr("\"fluid\": \"stokes\""),
+                                HasSubstr("dx of at most 0.0789")),
                           HasSubstr("outside 0.1 to 20")));
   EXPECT_THAT(
       warnings_of(R"("fluid": "quasisteady", "V": 100, "fidelity": "fast")"),

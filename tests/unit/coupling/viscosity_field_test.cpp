@@ -125,8 +125,8 @@ TEST(ViscosityField, ShiftMovesTheJumpOfTheArithmeticMeanOutwardsAndLeavesThatOf
   for_each_row_in_order(interface.box(), [&](int y, int z) {
     for (int x = 0; x < 32; ++x) {
       const double distance = ((grid.origin + kDx * Vec3(x, y, z)).norm() - 1) / kDx;
-      EXPECT_NEAR(interface.row(kAmbientPart, y, z)[x], smoothed_heaviside(distance - kShift, kHalfWidth),
-                  0.02);
+      EXPECT_NEAR(interface.row(kAmbientPartAlong, y, z)[x],
+                  smoothed_heaviside(distance - kShift, kHalfWidth), 0.02);
       EXPECT_NEAR(interface.row(kAmbientPartOfShear, y, z)[x], smoothed_heaviside(distance, kHalfWidth),
                   0.02);
     }
