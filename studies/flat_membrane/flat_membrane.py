@@ -77,9 +77,9 @@ def frame(direction):
 class Layer:
     """The planes of cells around a membrane, with the jumps of both means of the viscosity at the membrane.
 
-    is_local: whether (b) of stress_tensor.hpp is added, as in the solver for V > 1"""
+    with_b: whether (b) of stress_tensor.hpp is added, as in the solver for V > 1"""
 
-    def __init__(self, direction, V, offset, is_local):
+    def __init__(self, direction, V, offset, with_b):
         self.V, self.direction = V, np.array(direction)
         self.n = frame(direction)[0]
         self.h = 1 / np.linalg.norm(direction)
@@ -95,8 +95,8 @@ class Layer:
         self.without_shear = [c[i] * (isotropic - shear) for i in range(len(all_z))]
         self.kernel, self.slope = kernels(self.n, self.z)
         self.matrix, self.beyond_ends = self.assemble()
-        if is_local:
-            self.add_local_stress()
+        if with_b:
+            self.add_b()
 
     def sent(self, plane, link):
         """Row: phi of the link from the ten moments of a plane."""
@@ -120,10 +120,9 @@ class Layer:
                     matrix[rows, 10 * planes - 9 : 10 * planes - 6] -= term[:, 1:4]
         return matrix, beyond_ends
 
-    def add_local_stress(self):
+    def add_b(self):
         """D = L[c P' - A[c P']]. The inner end has a uniform stress, of which D is 0."""
         planes = len(self.z)
-        inside = lambda source: max(source, 0)
         difference = np.zeros((6 * planes, 6 * planes))
         smoothed = np.zeros((planes, planes))
         binomial = np.array([1, 4, 6, 4, 1]) / 16
@@ -131,14 +130,15 @@ class Layer:
         for j in range(planes):
             difference[6 * j : 6 * j + 6, 6 * j : 6 * j + 6] += tensor_map(traceless)
             for link, weight in zip(LINKS, WEIGHTS):
-                source = inside(j - int(link @ self.direction))
+                source = max(j - int(link @ self.direction), 0)
                 if source < planes:
                     received = components(traceless(np.outer(link, link)))
                     streamed = np.outer(received, 4.5 * components(np.outer(link, link)) * COUNTS)
                     difference[6 * j : 6 * j + 6, 6 * source : 6 * source + 6] -= weight * streamed
             for step, share in steps:
-                if inside(j - step) < planes:
-                    smoothed[j, inside(j - step)] += share
+                source = max(j - step, 0)
+                if source < planes:
+                    smoothed[j, source] += share
         operator = np.kron(smoothed, np.eye(6)) @ difference
         operator[np.repeat(self.z < -REACH + 3.5, 6)] = 0
         for j, i in itertools.product(range(planes), repeat=2):
@@ -177,8 +177,8 @@ class Layer:
         return slip, read, full
 
 
-def in_the_mean(direction, V, measure, is_local):
-    layers = [Layer(direction, V, (n + 0.5) / POSITIONS - 0.5, is_local) for n in range(POSITIONS)]
+def in_the_mean(direction, V, measure, with_b):
+    layers = [Layer(direction, V, (k + 0.5) / POSITIONS - 0.5, with_b) for k in range(POSITIONS)]
     return np.mean([measure(layer) for layer in layers], axis=0)
 
 
@@ -195,25 +195,32 @@ def shares_of_classes():
     return np.bincount([c for _, c in directions], cells.calculate_areas()) / (4 * np.pi)
 
 
-def over_directions(V, measure, is_local):
-    return sum(share * in_the_mean(direction, V, measure, is_local) for direction, share in zip(CLASSES, shares_of_classes()))
+def over_directions(V, measure, with_b):
+    return sum(share * in_the_mean(direction, V, measure, with_b) for direction, share in zip(CLASSES, shares_of_classes()))
+
+
+def slip_and_read(layer, s):
+    """Of a unit force, in its direction."""
+    results = []
+    for t in frame(layer.direction)[1:]:
+        slip, read, _ = layer.solve(force=t, s=s)
+        results.append([slip @ t, read @ t])
+    return np.mean(results, axis=0)
 
 
 def slip_and_kink(V):
-    """s and C of membrane_layer.hpp."""
-
-    def measure(layer):
-        _, t1, t2 = frame(layer.direction)
-        return [np.mean([[slip @ t, read @ t] for t in (t1, t2) for slip, read, _ in [layer.solve(force=t, s=s)]], axis=0) for s in (0, 1, -1)]
-
-    (slip, read), (slip_1, read_1), (_, read_2) = over_directions(V, measure, is_local=V > 1)
-    s = 0 if V == 1 else slip / (slip - slip_1)
-    return s, -(read + (read_1 - read_2) / 2 * s + ((read_1 + read_2) / 2 - read) * s * s)
+    """s and C of membrane_layer.hpp. The slip is linear in s, the velocity that is read is quadratic."""
+    at_0, at_1, at_minus_1 = over_directions(V, lambda layer: [slip_and_read(layer, s) for s in (0, 1, -1)], with_b=V > 1)
+    s = 0 if V == 1 else at_0[0] / (at_0[0] - at_1[0])
+    linear, quadratic = (at_1[1] - at_minus_1[1]) / 2, (at_1[1] + at_minus_1[1]) / 2 - at_0[1]
+    return s, -(at_0[1] + linear * s + quadratic * s * s)
 
 
 def strains_along(layer):
+    """One that changes areas, and the two shears."""
     n, t1, t2 = frame(layer.direction)
-    return [np.outer(t1, t1) + np.outer(t2, t2) - 2 * np.outer(n, n), np.outer(t1, t1) - np.outer(t2, t2), np.outer(t1, t2) + np.outer(t2, t1)]
+    areal = np.outer(t1, t1) + np.outer(t2, t2) - 2 * np.outer(n, n)
+    return areal, np.outer(t1, t1) - np.outer(t2, t2), np.outer(t1, t2) + np.outer(t2, t1)
 
 
 def missing_stress(V):
@@ -224,12 +231,16 @@ def missing_stress(V):
         areal, stretch, shear = (layer.solve(E=E)[2] for E in strains_along(layer))
         return [(t1 @ areal @ t1 + t2 @ areal @ t2) / 6, ((t1 @ stretch @ t1 - t2 @ stretch @ t2) / 2 + t1 @ shear @ t2) / 2]
 
-    return over_directions(V, measure, is_local=V > 1) / (V - 1)
+    return over_directions(V, measure, with_b=V > 1) / (V - 1)
 
 
-def slip_under_strain(V, is_local):
+def slip_under_strain(V, with_b):
     """Root mean square over the directions, under a strain that changes areas."""
-    slips = [in_the_mean(direction, V, lambda layer: layer.solve(E=strains_along(layer)[0])[0], is_local) for direction in CLASSES]
+
+    def measure(layer):
+        return layer.solve(E=strains_along(layer)[0])[0]
+
+    slips = [in_the_mean(direction, V, measure, with_b) for direction in CLASSES]
     return np.sqrt(np.average([slip @ slip for slip in slips], weights=shares_of_classes()))
 
 
