@@ -41,12 +41,11 @@ std::string lattice_finer_than_mesh(const Case& c) {
          rounded(edge / kMaxEdge);
 }
 
-/// How much too large D of a round capsule comes out. Measured for spheres (Ca = 0.05 and 0.2, kt = 6, V >
-/// 1): where the jump of the viscosity is smoothed over four cells 0.09 V dx, 8 % at V = 5 and dx = 0.2, 18 %
-/// at
-/// 10. On the composite grid up to 7 % too small at V = 10; then too large, at dx = 0.2 by 22 to 29 % at V =
-/// 20, 57 to 71 % at 30, 360 to 375 % at 100, at dx = 0.1 by 3, 15 and 90 %. For V < 1 the error does not
-/// depend on V.
+/// By which share D of a round capsule comes out too large. Measured for spheres, Ca = 0.05 and 0.2, kt = 6.
+/// Where the jump of the viscosity is smoothed over four cells: 8 % at V = 5 and 18 % at V = 10, dx = 0.2.
+/// On the composite grid: up to 7 % too small at V = 10, then too large, at dx = 0.2 by 22 to 29 % at V = 20,
+/// 57 to 71 % at V = 30 and 360 to 375 % at V = 100, at dx = 0.1 by 3, 15 and 90 %. For V < 1 the error does
+/// not depend on V.
 double deformation_error(const Case& c) {
   if (!c.has_grid() || c.V <= 1) return 0;
   const double dx = c.fidelity.dx;

@@ -45,14 +45,13 @@
 // sphere at V = 1 is 0.002 instead of 0.003, that of a red cell 0.008 instead of 0.003.
 //
 // Stress along the membrane. Here the strain rate is continuous, and the arithmetic mean of the viscosity
-// counts (stress_tensor.hpp). But the lattice passes a stress on to the next cells, so that the stress along
-// the membrane, summed across the layer, is too small. What is missing is the stress that a layer of inner
-// fluid has beyond that of ambient fluid, at V = 4 of a layer of 0.02 cells under a strain that changes areas
-// and of 0.09 cells under shear (exact solution near a flat membrane: studies/flat_membrane). In the mean
-// over the three strains along the membrane, the directions of n and the positions of the membrane, for V
-// from 2 to 12, it is
+// counts (stress_tensor.hpp). But the lattice passes stress on to the next cells, so that the integral of the
+// stress across the layer is smaller than with a sharp jump, as if the inner fluid ended a little inside of
+// the membrane: at V = 4 by 0.02 cells under a strain that changes areas, by 0.09 cells under shear (exact
+// solution near a flat membrane: studies/flat_membrane). The mean over the three strains along the membrane,
+// the directions of n and the positions of the membrane, for V from 2 to 12, is
 //   0.15 (V - 1)/(V + 2.85) cells.
-// The jump of the arithmetic mean is moved outwards by this.
+// The jump of the arithmetic mean is moved outwards by this distance.
 //
 // What is still of first order in that solution, at V = 4 and 10:
 //   C would have to be negative, -0.02 and -0.08; s is 7 to 8 % too small in magnitude.
@@ -64,17 +63,17 @@
 
 namespace capstan {
 
-/// Half width in cells over which the jump of the viscosity is smoothed. Measured in eleven scenes of V from
-/// 3 to 12 at dx = 0.2: with the shift below, the error of Q is 0.6 of that with a half width of 1 and no
-/// shift in the median, 1.1 at most (studies/cross_validation). With 0.25 it is as large as with 0.5, that of
-/// a sphere of V = 10 twice.
+/// Half width in cells over which the jump of the viscosity is smoothed. Measured at dx = 0.2 in eleven
+/// scenes of V from 3 to 12, together with the shift below (studies/cross_validation): the error of Q is 0.3
+/// to 1.1 times that with a half width of 1 and no shift, 0.6 times in the median. At dx = 0.1 it is larger
+/// than with a half width of 1 from V = 7 on.
 inline constexpr double kViscosityHalfWidth = 0.5;
 
 /// Upper limit of shift_of_stress().
 inline constexpr double kMaxShift = 0.15;
 
-/// How far outside of the membrane the jump of the arithmetic mean lies, in cells; inside for V < 1, where it
-/// is half of what the solution above asks for. Fitted to this solution for V from 2 to 12.
+/// How far outside of the membrane the jump of the arithmetic mean lies, in cells. Fitted to the solution
+/// above for V from 2 to 12. Negative for V < 1, where this is half of the distance in that solution.
 inline double shift_of_stress(double V) { return kMaxShift * (V - 1) / (V + 2.85); }
 
 /// The factors of the two terms.

@@ -39,7 +39,8 @@ class ViscosityField {
 
   /// H(d / dx - shift), H(d / dx) and the normals, in the cells of the field's box, which must contain the
   /// capsule.
-  /// \param shift  in cells, outwards; at most 2 with the half width, since distances reach two cells
+  /// \param shift  in cells, outwards. |shift| + half_width must be at most 2: farther away no distances are
+  ///               computed
   void update(const Points& positions, double shift, InterfaceField& interface);
 
  private:

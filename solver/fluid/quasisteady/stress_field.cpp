@@ -27,7 +27,8 @@ CAPSTAN_VECTOR_UNITS bool put_factors(const double* ratio, T* __restrict c, int 
   return nonzero > 0;
 }
 
-/// The factors c of the arithmetic mean and c_H - c, from the parts of ambient fluid in each cell.
+/// The factors c of the arithmetic mean and c_H - c, from the part of ambient fluid in each cell for either
+/// mean.
 template <class T>
 CAPSTAN_VECTOR_UNITS bool put_factors(const double* ambient, const double* ambient_of_shear, double V,
                                       T* __restrict arithmetic, T* __restrict harmonic, int count) {

@@ -6,9 +6,10 @@
 // all other directions the strain rate is continuous, the stresses add up, and the arithmetic mean counts.
 // With t = (I - n n) P n,
 //   Q = c P + (c_H - c) (n t + t n),   c = 1 - 2/(1 + R), (a)
-// for the arithmetic and the harmonic mean of the viscosity ratio R, whose jumps lie at slightly different
-// distances (membrane_layer.hpp). In one direction this is exact on the lattice: with the mean stress tau of
-// a cell, P + Q = -2 tau, so that g(z+1) - g(z) is 6 tau times the mean of 1/R in the two cells.
+// for the arithmetic and the harmonic mean of the viscosity ratio R. (The jump of the first lies at a small
+// distance from the membrane: membrane_layer.hpp.) For the shear stress in one direction this is exact on the
+// lattice: with the mean stress tau of a cell, P + Q = -2 tau, so that g(z+1) - g(z) is 6 tau times the mean
+// of 1/R in the two cells.
 //
 // The other part of P, c P' = c (P - n t - t n), has an error that grows with R. P** sums populations of the
 // neighbours: P = P_g + A[Q], where P_g comes from their momenta and A is a mean over a distance of one cell.
