@@ -20,8 +20,8 @@ struct PresetResult {
 inline constexpr auto kPresetResults = std::to_array<PresetResult>({
     {"fast", "stokes", 0.11, 0.004},
     {"standard", "stokes", 2, std::nullopt},
-    {"fast", "quasisteady", 0.31, 0.043},
-    {"standard", "quasisteady", 1.9, 0.037},
+    {"fast", "quasisteady", 0.7, 0.065},
+    {"standard", "quasisteady", 2.9, 0.053},
 });
 
 }  // namespace capstan

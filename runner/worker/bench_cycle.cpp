@@ -86,14 +86,14 @@ void add_cycles(const Scene& scene, BenchReport& report) {
 void add_parts_of_a_step(const Scene& scene, BenchReport& report) {
   const GridGeometry grid{Vec3::Constant(0.05), 0.1};
   MembraneCoupling coupling(grid, scene.sphere.mesh, scene.orbits(true), 4, std::nullopt);
-  ViscosityField viscosity(grid, scene.sphere.mesh, scene.orbits(true), kViscosityHalfWidth);
+  ViscosityField viscosity(grid, scene.sphere.mesh, scene.orbits(true));
   QuasisteadyFlow<float> flow(scene.sphere.mesh, scene.orbits(true), {.V = 4});
   Points forces, u;
   flow.solve(0, scene.positions, scene.forces, u);
   coupling.place(scene.positions);
   VectorField on_grid;
-  InterfaceField interface;
-  interface.reset(coupling.touched());
+  ScalarField ratio;
+  ratio.reset(coupling.touched());
 
   nlohmann::ordered_json rows;
   const auto add = [&](const char* part, double seconds) {
@@ -106,7 +106,7 @@ void add_parts_of_a_step(const Scene& scene, BenchReport& report) {
         coupling.read(on_grid, u);
       }));
   add("viscosity field",
-      best_time(kSpan, [&] { viscosity.update(scene.positions, shift_of_stress(4), interface); }));
+      best_time(kSpan, [&] { viscosity.update(scene.positions, layer_viscosity(4), ratio); }));
   add("one cycle", best_time(kSpan, [&] { flow.cycle(); }));
   const TimedRun run = timed_run(scene.red);
   add("a step, mean of a run to kt = 10, without the first", run.seconds_per_step());

@@ -39,7 +39,7 @@ void bench_kernel(BenchReport& report) {
   using enum Kernel;
   nlohmann::ordered_json rows;
   for (const int threads : std::set{1, omp_get_max_threads()})
-    for (const Kernel kernel : {nineteen_populations, four_moments, composite, composite_stress})
+    for (const Kernel kernel : {nineteen_populations, four_moments, composite, composite_links})
       for (const Precision precision : {Precision::double_, Precision::single})
         for (const std::array<int, 3>& cells : kSizes)
           rows.push_back(measured_row(kernel, precision, cells, threads));

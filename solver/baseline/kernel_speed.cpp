@@ -41,21 +41,21 @@ template <class Real>
 struct CompositeGrid {
   MomentGrid<Real> grid;
 
-  CompositeGrid(const std::array<int, 3>& cells, bool has_stress) : grid(make_grid(cells, has_stress)) {
-    if (!has_stress) return;
+  CompositeGrid(const std::array<int, 3>& cells, bool has_ratio) : grid(make_grid(cells, has_ratio)) {
+    if (!has_ratio) return;
     ScalarField ratio;
     ratio.reset(grid.box(), 4);
     grid.set_viscosity(ratio);
   }
   void step() { grid.relax(); }
 
-  static MomentGrid<Real> make_grid(const std::array<int, 3>& cells, bool has_stress) {
+  static MomentGrid<Real> make_grid(const std::array<int, 3>& cells, bool has_ratio) {
     constexpr double kDx = 0.1, kRe = 0.05;
     const auto [nx, ny, nz] = cells;
     const IndexBox box{{-nx / 2, 0, 0}, {nx / 2, ny, nz}};
     const IndexBox domain{{-nx, 0, 0}, {nx, 2 * ny, 2 * nz}};
     const Domain quarter{.cells = 2 * nx, .is_quarter = true, .is_uniform = false};
-    return MomentGrid<Real>(box, domain, quarter.rules(), kDx, kRe, has_stress, {{{0.9, 0.5}, {0.75, 0.5}}});
+    return MomentGrid<Real>(box, domain, quarter.rules(), kDx, kRe, has_ratio, {0.9, 0.75});
   }
 };
 
@@ -63,7 +63,6 @@ struct CompositeGrid {
 
 template <class Real>
 KernelSpeed kernel_speed(Kernel kernel, const std::array<int, 3>& cells) {
-  constexpr int kUnknowns = int(kMoments) + int(kStresses), kFactor = 1;
   const IndexBox box = box_from_zero(cells);
   switch (kernel) {
     case Kernel::nineteen_populations: {
@@ -79,11 +78,11 @@ KernelSpeed kernel_speed(Kernel kernel, const std::array<int, 3>& cells) {
       CompositeGrid<Real> lattice(cells, false);
       return measured<Real>(lattice, box, 3 * kMoments, 4 * kMoments);
     }
-    case Kernel::composite_stress:
+    case Kernel::composite_links:
       break;
   }
   CompositeGrid<Real> lattice(cells, true);
-  return measured<Real>(lattice, box, 3 * kUnknowns + kFactor, 4 * kUnknowns + kFactor);
+  return measured<Real>(lattice, box, 3 * kMoments + 1, 4 * kMoments + 1);
 }
 
 template KernelSpeed kernel_speed<float>(Kernel, const std::array<int, 3>&);

@@ -11,14 +11,14 @@ enum class Kernel {
                          ///< are related
   four_moments,          ///< FourMomentLattice: the standard method with its best parameters
   composite,             ///< one smoothing sweep of the quasisteady model, ghosts included
-  composite_stress,      ///< the same with stresses, as in cells of another viscosity than the ambient one
+  composite_links,       ///< the same where the viscosity varies from cell to cell
 };
 template <>
 inline constexpr auto kWords<Kernel> =
     std::to_array<Word<Kernel>>({{Kernel::nineteen_populations, "19 populations"},
                                  {Kernel::four_moments, "four moments"},
                                  {Kernel::composite, "composite"},
-                                 {Kernel::composite_stress, "with stresses"}});
+                                 {Kernel::composite_links, "varying viscosity"}});
 
 struct KernelSpeed {
   double updates;  ///< cells updated per second

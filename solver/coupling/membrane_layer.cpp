@@ -3,18 +3,52 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
-#include <vector>
-
-#include "solver/coupling/sharpening.hpp"
-#include "solver/coupling/viscosity_field.hpp"
 
 namespace capstan {
 namespace {
 
-constexpr int kOffsets = 8;                        // positions of the membrane between two planes
-constexpr double kReach = 8;                       // beyond this distance kernels and jump are over
-constexpr double kWaveStep = 0.05, kMaxWave = 40;  // an error below 1e-3 in every sum
+constexpr double kHalfWidth = 0.5, kShift = -0.3;  // of the jump, in cells
+
+struct Layer {
+  double V, excess, slip, C, tension;
+};
+
+// From studies/flat_membrane/results.md. At V = 1 the excess has no effect, and is that of V = 1.5.
+constexpr Layer kLayers[] = {{1, 0.4270, 0, 0.1279, 0},
+                             {1.5, 0.4270, -0.0495, 0.1072, -0.0067},
+                             {2, 0.5256, -0.0858, 0.0911, -0.0114},
+                             {3, 0.6644, -0.1360, 0.0676, -0.0173},
+                             {4, 0.7557, -0.1691, 0.0516, -0.0207},
+                             {5, 0.8202, -0.1925, 0.0401, -0.0229},
+                             {7, 0.9057, -0.2236, 0.0248, -0.0255},
+                             {10, 0.9811, -0.2511, 0.0113, -0.0276},
+                             {20, 1.0903, -0.2908, -0.0077, -0.0301},
+                             {50, 1.1818, -0.3237, -0.0223, -0.0318}};
+
+/// The constants are interpolated in this number, which is 0 for V = 1 and tends to 1.
+double contrast(double V) { return (V - 1) / (V + 1); }
+
+/// \param V  at least 1
+Layer layer_at(double V) {
+  const Layer* upper = std::ranges::find_if(kLayers, [V](const Layer& layer) { return layer.V > V; });
+  if (upper == std::end(kLayers)) {
+    Layer last = *std::prev(upper);
+    last.V = V;
+    return last;
+  }
+  const Layer &a = *std::prev(upper), &b = *upper;
+  const double weight = (contrast(V) - contrast(a.V)) / (contrast(b.V) - contrast(a.V));
+  const auto between = [&](double Layer::*number) { return std::lerp(a.*number, b.*number, weight); };
+  return {V, between(&Layer::excess), between(&Layer::slip), between(&Layer::C), between(&Layer::tension)};
+}
+
+double viscosity_at(double z, const Layer& layer) {
+  const double H = smoothed_heaviside(z - kShift, kHalfWidth);
+  const double next_to_membrane = z > -1 && z < 0 ? 2 * std::pow(std::sin(std::numbers::pi * z), 2) : 0;
+  return 1 / (H + (1 - H) / layer.V) + layer.excess * (layer.V - 1) * next_to_membrane;
+}
 
 /// (sin(k/2) / (k/2))^4
 double spline_transform(double k) {
@@ -22,113 +56,37 @@ double spline_transform(double k) {
   return s * s * s * s;
 }
 
-/// A plane of cells across the normal.
-struct Plane {
-  double z;
-  double plain = 0, sharp = 0, slope = 0;  ///< p_0, p and p' at z
-};
-
-/// The planes around a membrane at z = 0. The kernels as functions of z are integrals over the plane; their
-/// transforms are those of the three-dimensional kernels at k n.
-std::vector<Plane> planes_along(const Vec3& normal, double spacing, double offset) {
-  std::vector<Plane> planes;
-  for (double z = offset - std::ceil(kReach / spacing) * spacing; z < kReach; z += spacing)
-    planes.push_back({.z = z});
-  for (double k = 0; k < kMaxWave; k += kWaveStep) {
-    const Vec3 wave = k * normal;
-    const double transform = (k == 0 ? 0.5 : 1) * kWaveStep / std::numbers::pi * spline_transform(wave[0]) *
-                             spline_transform(wave[1]) * spline_transform(wave[2]);
-    const double sharp = transform * sharpening_symbol(wave[0], wave[1], wave[2]);
-    for (Plane& plane : planes) {
-      const double c = std::cos(k * plane.z);
-      plane.plain += transform * c;
-      plane.sharp += sharp * c;
-      plane.slope -= sharp * k * std::sin(k * plane.z);
-    }
-  }
-  return planes;
-}
-
-struct Direction {
-  double weight;   ///< in Lebedev's rule
-  double spacing;  ///< of the planes
-  std::array<std::vector<Plane>, kOffsets> planes;
-
-  Direction(double weight_, const Vec3& normal, double spacing_) : weight(weight_), spacing(spacing_) {
-    for (int n = 0; n < kOffsets; ++n)
-      planes[n] = planes_along(normal, spacing, (n + 0.5) / kOffsets * spacing);
-  }
-};
-const std::array<Direction, 3>& directions() {
-  static const std::array<Direction, 3> all = {
-      Direction(2. / 7, Vec3(1, 0, 0), 1), Direction(16. / 35, Vec3(1, 1, 0).normalized(), std::sqrt(0.5)),
-      Direction(9. / 35, Vec3(1, 1, 1).normalized(), std::sqrt(1. / 3))};
-  return all;
-}
-
-/// Of a membrane with f = 1 that is at rest in the sharp solution, for tau = 0.
-struct LayerErrors {
-  double slip = 0;  ///< velocity that is too large on the outer side, if it is right on the inner side
-  double read = 0;  ///< velocity that is read
-};
-
-LayerErrors errors_at(const std::vector<Plane>& planes, double h, double V, double s) {
-  const auto a = [V](double z) { return (1 - 1 / V) * (1 - smoothed_heaviside(z, kViscosityHalfWidth)); };
-  const auto weight = [s](const Plane& plane) { return plane.sharp - s * plane.slope; };
-  const auto force = [&](const Plane& plane) { return weight(plane) / 6; };
-  double tau = 1 / (12 * h);              // 1/2 in units of the lattice
-  double g = planes.front().z / (2 * V);  // the sharp solution
-  LayerErrors errors;
-  for (std::size_t j = 0; j < planes.size(); ++j) {
-    if (j > 0) {
-      const Plane &last = planes[j - 1], &now = planes[j];
-      tau -= force(last);
-      g += 6 * h * h * tau * (1 - (a(last.z) + a(now.z)) / 2) -
-           1.5 * h * h * (a(last.z) * force(last) - a(now.z) * force(now));
-    }
-    errors.read += h * weight(planes[j]) * (g - force(planes[j]) / 2);
-  }
-  errors.slip = g + planes.back().z / 2;
-  return errors;
-}
-
-LayerErrors errors_along(const Direction& direction, double V, double s) {
-  LayerErrors mean;
-  for (const std::vector<Plane>& planes : direction.planes) {
-    const LayerErrors one = errors_at(planes, direction.spacing, V, s);
-    mean.slip += one.slip / kOffsets, mean.read += one.read / kOffsets;
-  }
-  return mean;
-}
-
-LayerErrors mean_errors(double V, double s) {
-  LayerErrors mean;
-  for (const Direction& direction : directions()) {
-    const LayerErrors one = errors_along(direction, V, s);
-    mean.slip += direction.weight * one.slip, mean.read += direction.weight * one.read;
-  }
-  return mean;
-}
-
-/// int p_0^2 dz
+/// int p_0^2 dz, in the mean over the directions of n by Lebedev's rule with 26 points. As a function of z
+/// the kernel is an integral over a plane; its transform is that of the three-dimensional kernel at k n.
 double mean_psi() {
+  const struct {
+    double weight;
+    std::array<double, 3> n;
+  } directions[] = {{2. / 7, {1, 0, 0}},
+                    {16. / 35, {std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2, 0}},
+                    {9. / 35, {std::numbers::inv_sqrt3, std::numbers::inv_sqrt3, std::numbers::inv_sqrt3}}};
+  constexpr double kStep = 0.05, kMaxWave = 40;  // an error below 1e-4
   double psi = 0;
-  for (const Direction& direction : directions())
-    for (const std::vector<Plane>& planes : direction.planes)
-      for (const Plane& plane : planes)
-        psi += direction.weight / kOffsets * direction.spacing * plane.plain * plane.plain;
+  for (const auto& [weight, n] : directions)
+    for (double k = kStep / 2; k < kMaxWave; k += kStep) {
+      const double p = spline_transform(k * n[0]) * spline_transform(k * n[1]) * spline_transform(k * n[2]);
+      psi += weight * kStep / std::numbers::pi * p * p;
+    }
   return psi;
 }
 
 }  // namespace
 
-// The slip of the fluid is linear in s.
-LayerCorrections layer_corrections(double V) {
-  const double without = mean_errors(V, 0).slip, with = mean_errors(V, 1).slip;
-  const double slip = V == 1 ? 0 : without / (without - with);
-  return {slip, std::max(0., -mean_errors(V, slip).read) / mean_psi()};
+ViscosityProfile layer_viscosity(double V) {
+  if (V >= 1) return [layer = layer_at(V)](double z) { return viscosity_at(z, layer); };
+  return [V, layer = layer_at(1 / V)](double z) { return V * viscosity_at(-z, layer); };
 }
 
-double kink_along(int direction) { return -errors_along(directions()[std::size_t(direction)], 1, 0).read; }
+LayerCorrections layer_corrections(double V) {
+  const Layer layer = layer_at(std::max(V, 1 / V));
+  const double kink = std::max(0., layer.C) / mean_psi();
+  if (V >= 1) return {layer.slip, layer.tension, kink};
+  return {-layer.slip, -layer.tension, kink / V};
+}
 
 }  // namespace capstan

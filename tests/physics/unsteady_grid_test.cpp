@@ -37,8 +37,7 @@ class UnsteadyBox {
     for (int level = 0; level < kLevels; ++level) {
       const int half = (cells >> level) / 2, along = 4 >> level;
       const IndexBox box{{-along, -half, -half}, {along, half, half}};
-      grids_.emplace_back(box, box, rules, dx_ * (1 << level), Re, false,
-                          Relaxation{{{0.9, 0.5}, {0.75, 0.5}}});
+      grids_.emplace_back(box, box, rules, dx_ * (1 << level), Re, false, std::array<double, 2>{0.9, 0.75});
       grids_.back().add_momentum(1, on_cells(box, dx_ * (1 << level), start));
     }
   }
@@ -54,11 +53,12 @@ class UnsteadyBox {
       grid.extrapolate(extrapolation);
       grid.add_convection();
     }
-    const VectorField per_sweep = on_cells(grids_.front().box(), dx_, force, kAmbientViscosity * dx_ * dx_);
-    grids_.front().add_force(per_sweep);
-    grids_.front().add_momentum(0.5, per_sweep);
+    const double per_sweep = kAmbientViscosity * dx_ * dx_;
+    const VectorField half = on_cells(grids_.front().box(), dx_, force, per_sweep / 2);
+    grids_.front().add_force(on_cells(grids_.front().box(), dx_, force, per_sweep), half);
+    grids_.front().add_momentum(1, half);
     for (int cycle = 0; cycle < 12; ++cycle) fas_cycle(std::span(grids_), {.pre = 0, .post = 2});
-    grids_.front().add_momentum(-0.5, per_sweep);
+    grids_.front().add_momentum(-1, half);
     if (times_.size() == 2) times_.erase(times_.begin());
     times_.push_back(t);
   }

@@ -20,8 +20,7 @@ IndexBox LatticeOptions::cells() const {
 LatticeCoupling::LatticeCoupling(const TriangleMesh& mesh, const LatticeOptions& options)
     : options_(options), boundary_(geometry(options)) {
   if (options.V != 1)
-    viscosity_.emplace(geometry(options), mesh, Orbits::without_symmetry(mesh.vertex_count()),
-                       kPaperHalfWidth);
+    viscosity_.emplace(geometry(options), mesh, Orbits::without_symmetry(mesh.vertex_count()));
 }
 
 bool LatticeCoupling::place_membrane(const Points& positions, const Points& forces) {
@@ -33,7 +32,7 @@ bool LatticeCoupling::place_membrane(const Points& positions, const Points& forc
   if (viscosity_) {
     const double ambient = options_.units.nu_lu;
     nu_.reset(boundary_.box());
-    viscosity_->update(positions, ambient, options_.V * ambient, nu_);
+    viscosity_->update(positions, smoothed_jump(options_.V * ambient, ambient), nu_);
   }
   return true;
 }

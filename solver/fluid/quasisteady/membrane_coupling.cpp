@@ -32,23 +32,30 @@ Points MembraneCoupling::tangential(const Points& vectors) const {
   return result;
 }
 
+/// s (I - n n) vectors + t n n vectors
+Points MembraneCoupling::of_dipoles(const Points& vectors) const {
+  const Points along = tangential(vectors);
+  return dx_ * (corrections_.slip * along + corrections_.tension * (vectors - along));
+}
+
 void MembraneCoupling::spread(const Points& forces, double scale, VectorField& field) {
   const double pressure = forces.cwiseProduct(normals_).sum() / area_;
   const Points along = tangential(forces);
   kinks_ = corrections_.kink == 0
                ? Points(Points::Zero(3, forces.cols()))
                : tangential(boundary_.smoothed(along, corrections_.kink / dx_));  // dx^2 delta / dx^3
-  const Points slips = corrections_.slip == 0 ? Points(3, 0) : Points(corrections_.slip * dx_ * along);
-  boundary_.spread(forces - pressure * area_vectors_, slips, scale, field);
+  const Points without_pressure = forces - pressure * area_vectors_;
+  boundary_.spread(without_pressure, has_dipoles() ? of_dipoles(without_pressure) : Points(3, 0), scale,
+                   field);
 }
 
 void MembraneCoupling::read(const VectorField& field, Points& velocities) {
-  if (corrections_.slip == 0) {
-    boundary_.interpolate(field, velocities);
-  } else {
+  if (has_dipoles()) {
     Points shears;
     boundary_.interpolate(field, velocities, shears);
-    velocities += corrections_.slip * dx_ * tangential(shears);
+    velocities += of_dipoles(shears);
+  } else {
+    boundary_.interpolate(field, velocities);
   }
   velocities += kinks_;
   velocities.row(0) += positions_.row(1);

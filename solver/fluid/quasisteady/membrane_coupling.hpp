@@ -1,7 +1,7 @@
 #pragma once
 // Forces of the membrane to the finest grid and velocities of the grid to the membrane, to second order in
-// dx: the sharpened kernel (sharpening.hpp), the terms for slip and kink (membrane_layer.hpp), and the
-// volume.
+// dx: the sharpened kernel (sharpening.hpp), the terms for slip, tension and kink (membrane_layer.hpp), and
+// the volume.
 //
 // Volume: the discrete flow through the membrane is not exactly 0, and a uniform pressure inside does not
 // exactly leave the fluid at rest. So the mean pressure <f.n> is taken out of the forces before they are
@@ -14,8 +14,7 @@
 
 namespace capstan {
 
-static_assert(kViscosityHalfWidth + kMaxShift <= kSharpeningReach,
-              "the kernels reach beyond the jump of the viscosity");
+static_assert(kLayerReach <= kSharpeningReach, "the kernels reach beyond the jump of the viscosity");
 
 class MembraneCoupling {
  public:
@@ -47,6 +46,8 @@ class MembraneCoupling {
 
  private:
   Points tangential(const Points& vectors) const;
+  bool has_dipoles() const { return corrections_.slip != 0; }
+  Points of_dipoles(const Points& vectors) const;
 
   double dx_;
   Faces faces_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "solver/fluid/quasisteady/convection.hpp"
@@ -15,14 +16,6 @@ namespace {
 constexpr std::array<double, kMoments> kStateToCoarse = {2, 1, 1, 1};
 constexpr std::array<double, kMoments> kStateToFine = {0.5, 1, 1, 1};
 constexpr std::array<double, kMoments> kResidualToCoarse = {2, 4, 4, 4};
-
-// Fraction of a time step by which stresses are extrapolated (measured for V = 0.1 ... 10). With 1, errors of
-// the stresses would not be damped from step to step. With 0, the error at the start of a solve would be
-// twice as large.
-constexpr double kStressExtrapolation = 0.8;
-
-/// P_xy of the undisturbed flow at shear rate 1: sum w_i e_x e_y 3 e_x (y - e_y dx).
-double couette_stress(double dx) { return -dx / 3; }
 
 /// Momentum of `field` += factor * vectors.
 template <class T>
@@ -40,7 +33,7 @@ void add_vectors(double factor, const VectorField& vectors, RowField<T>& field) 
 
 template <class T>
 MomentGrid<T>::MomentGrid(const IndexBox& box, const IndexBox& domain, const SideRules& domain_rules,
-                          double dx, double Re, bool has_stress, const Relaxation& relaxation)
+                          double dx, double Re, bool has_ratio, const std::array<double, 2>& relaxation)
     : domain_(domain),
       domain_rules_(domain_rules),
       dx_(dx),
@@ -50,7 +43,7 @@ MomentGrid<T>::MomentGrid(const IndexBox& box, const IndexBox& domain, const Sid
       state_{RowField<T>(box, kMoments), RowField<T>(box, kMoments)},
       defect_(box, kMoments),
       scratch_{RowField<T>(box, kMoments), RowField<T>(box, kMoments)} {
-  if (has_stress) stress_.emplace(box, rules_);
+  if (has_ratio) ratio_.emplace(box, 1), has_ratio_.assign(std::size_t(box.size(1)) * box.size(2), false);
 }
 
 template <class T>
@@ -64,82 +57,62 @@ SideRules MomentGrid<T>::rules_of(const IndexBox& box) const {
 }
 
 template <class T>
-FluidRow<T> MomentGrid<T>::fluid_row(int y, int z, const SweepWeights& weights) {
+FluidRow<T> MomentGrid<T>::fluid_row(int y, int z, std::optional<double> gamma) {
   return {.m = state_.now.row(0, y, z),
           .defect = defect_.row(0, y, z),
           .out = scratch_.next.row(0, y, z),
           .strides = state_.now.strides(),
           .count = box().size(0),
-          .keep = T(weights.keep),
-          .blend = T(weights.blend),
-          .g_keep = T(weights.g_keep),
-          .g_blend = T(weights.g_blend),
+          .keep = T(gamma ? 1 - *gamma : -1),
+          .blend = T(gamma ? *gamma : 1),
+          .g_keep = T(gamma ? 1 - *gamma : -1 - rate_),
+          .g_blend = T(gamma ? *gamma / (1 + rate_) : 1),
           .shear = T(inertia_ * (y + 0.5) * dx_ / 2),
           .lift = T(inertia_ * dx_)};
 }
 
-// scratch_.next = keep m + blend (S(m) + D). Every row is written by one thread and depends only on values
-// that stay constant during the sweep. So the result does not depend on the number of threads.
 template <class T>
-void MomentGrid<T>::sweep(const SweepWeights& weights) {
-  fill_ghosts(state_.now, rules_, kMomentImages);
-  if (stress_) stress_->put_passed_stress(couette_stress(dx_));
-  for_each_row(box(), [&](int y, int z) {
-    const FluidRow<T> row = fluid_row(y, z, weights);
-    if (stress_ && stress_->has(y, z))
-      sweep_stress_row(y, z, row, weights);
-    else
-      sweep_fluid(row);
-  });
+LinkRow<T> MomentGrid<T>::link_row(int y, int z) {
+  return {.m = state_.now.row(0, y, z),
+          .defect = defect_.row(0, y, z),
+          .out = scratch_.next.row(0, y, z),
+          .strides = state_.now.strides(),
+          .ratio = ratio_->row(0, y, z),
+          .ratio_strides = ratio_->strides(),
+          .count = box().size(0),
+          .dx = T(dx_),
+          .rate = T(rate_),
+          .shear = T(inertia_ * (y + 0.5) * dx_ / 2),
+          .lift = T(inertia_ * dx_)};
 }
 
+/// scratch_.next <- the moments after relaxation by gamma; without gamma, the residual. Every row is written
+/// by one thread and depends only on values that stay constant during the sweep. So the result does not
+/// depend on the number of threads.
 template <class T>
-void MomentGrid<T>::sweep_stress_row(int y, int z, const FluidRow<T>& fluid, const SweepWeights& weights) {
-  StressRow<T> row = stress_->row(fluid, y, z, T(weights.p_keep), T(weights.p_blend));
-  row.thin_rho = T(weights.thin.rho), row.thin_p = T(weights.thin.p);
-  row.thin_g_keep = T(weights.thin.g), row.thin_g_blend = T(weights.thin.g / (1 + rate_));
-  sweep_stress(row);
+void MomentGrid<T>::sweep(std::optional<double> gamma) {
+  fill_ghosts(state_.now, rules_, kMomentImages);
+  for_each_row(box(), [&](int y, int z) {
+    if (!ratio_ || !has_ratio_[row_index(y, z)])
+      sweep_fluid(fluid_row(y, z, gamma));
+    else if (gamma)
+      relax_links(link_row(y, z), T(*gamma));
+    else
+      put_residual_of_links(link_row(y, z));
+  });
 }
 
 template <class T>
 void MomentGrid<T>::relax() {
-  const int parity = sweep_parity_;
+  sweep(relaxation_[sweep_parity_]);
   sweep_parity_ = 1 - sweep_parity_;
-  relax_everywhere(relaxation_.everywhere[parity]);
-  if (!stress_) return;
-  for (const SweepRelaxation& relaxation : relaxation_.rows_with_stress[parity])
-    relax_rows_with_stress(relaxation);
-}
-
-template <class T>
-void MomentGrid<T>::relax_everywhere(const SweepRelaxation& relaxation) {
-  sweep(weights_of(relaxation));
   copy_interpolated(state_.now, scratch_.next, rules_);
   std::swap(state_.now, scratch_.next);
-  if (stress_) stress_->accept_sweep();
-}
-
-template <class T>
-void MomentGrid<T>::relax_rows_with_stress(const SweepRelaxation& relaxation) {
-  const SweepWeights weights = weights_of(relaxation);
-  fill_ghosts(state_.now, rules_, kMomentImages);
-  stress_->put_passed_stress(couette_stress(dx_));
-  const auto for_each_row_with_stress = [&](auto visit) {
-    for_each_row(box(), [&](int y, int z) {
-      if (stress_->has(y, z)) visit(y, z);
-    });
-  };
-  for_each_row_with_stress([&](int y, int z) { sweep_stress_row(y, z, fluid_row(y, z, weights), weights); });
-  for_each_row_with_stress([&](int y, int z) {
-    std::ranges::copy(scratch_.next.whole_row(y, z), state_.now.whole_row(y, z).begin());
-  });
-  stress_->accept_sweep();
 }
 
 template <class T>
 void MomentGrid<T>::restrict_to(MomentGrid& coarse) {
   average_children(state_.now, coarse.state_.now, coarsened(box()), kStateToCoarse);
-  if (stress_) stress_->restrict_to(*coarse.stress_);
   sweep_residual();
   coarse.take_defect(*this);
 }
@@ -155,7 +128,6 @@ void MomentGrid<T>::take_defect(MomentGrid& fine) {
   average_children(fine.scratch_.next, fine_residual, inner, kResidualToCoarse);
   add_difference(fine_residual, scratch_.next, defect_, inner);
   if (is_whole()) subtract_mean_mass_defect();
-  if (stress_) stress_->take_defect(*fine.stress_);
   scratch_.start = state_.now;
 }
 
@@ -191,7 +163,6 @@ template <class T>
 void MomentGrid<T>::correct_from(MomentGrid& coarse) {
   coarse.take_change();
   add_linear(coarse.scratch_.start, state_.now, box(), kStateToFine);
-  if (stress_) stress_->correct_from(*coarse.stress_);
   interpolate_ghosts(coarse);
 }
 
@@ -200,7 +171,6 @@ template <class T>
 void MomentGrid<T>::take_change() {
   fill_ghosts(state_.now, rules_, kMomentImages);
   take_difference(state_.now.data(), scratch_.start.data());
-  if (stress_) stress_->take_change();
 }
 
 template <class T>
@@ -217,15 +187,25 @@ void MomentGrid<T>::interpolate_ghosts(const MomentGrid& coarse) {
 }
 
 template <class T>
-void MomentGrid<T>::put_local_stress(double share) {
-  std::ranges::fill(scratch_.start.data(), T(0));
-  stress_->put_local_stress(share, couette_stress(dx_), scratch_.start, scratch_.next);
+void MomentGrid<T>::set_viscosity(const ScalarField& ratio) {
+  std::ranges::fill(ratio_->data(), T(1));
+  std::ranges::fill(has_ratio_, false);
+  const int first = ratio.box().lo[0] - box().lo[0], count = ratio.box().size(0);
+  const IndexBox rows{{0, box().lo[1], box().lo[2]}, {1, box().hi[1], box().hi[2]}};
+  for_each_row_in_order(ratio.box(), [&](int y, int z) {
+    const std::span<const double> ratios(ratio.row(0, y, z), std::size_t(count));
+    if (std::ranges::all_of(ratios, [](double R) { return R == 1; })) return;
+    std::ranges::transform(ratios, ratio_->row(0, y, z) + first, [](double R) { return T(R); });
+    const IndexBox near{{0, y - 1, z - 1}, {1, y + 2, z + 2}};
+    for_each_row_in_order(intersection(near, rows),
+                          [&](int near_y, int near_z) { has_ratio_[row_index(near_y, near_z)] = true; });
+  });
+  fill_ghosts(*ratio_, rules_, kScalarImages);
 }
 
 template <class T>
 void MomentGrid<T>::clear_force() {
   std::ranges::fill(defect_.data(), T(0));
-  if (stress_) stress_->clear_defect();
 }
 
 template <class T>
@@ -234,10 +214,11 @@ void MomentGrid<T>::add_time_derivative(const BackwardDifference& difference) {
   subtract_known_part(difference, state_.now, state_.before, inertia_ * dx_, defect_);
 }
 
-/// The force itself, and its part in the velocity u = g - F/2 of the time derivative.
+/// The force itself, and its part in the velocity of the time derivative.
 template <class T>
-void MomentGrid<T>::add_force(const VectorField& force) {
-  add_vectors(1 + rate_ / 2, force, defect_);
+void MomentGrid<T>::add_force(const VectorField& force, const VectorField& half) {
+  add_vectors(1, force, defect_);
+  if (rate_ != 0) add_vectors(rate_, half, defect_);
 }
 
 template <class T>
@@ -248,8 +229,8 @@ void MomentGrid<T>::add_convection() {
 }
 
 template <class T>
-void MomentGrid<T>::add_momentum(double factor, const VectorField& force) {
-  add_vectors(factor, force, state_.now);
+void MomentGrid<T>::add_momentum(double factor, const VectorField& momentum) {
+  add_vectors(factor, momentum, state_.now);
 }
 
 /// The weight of the density in an extrapolation with the weight `weight` of the momentum. In unsteady flow
@@ -271,7 +252,6 @@ void MomentGrid<T>::extrapolate(double weight) {
     capstan::extrapolate(now.first(momentum), before.first(momentum), density_weight(weight));
     capstan::extrapolate(now.subspan(momentum), before.subspan(momentum), weight);
   });
-  if (stress_) stress_->extrapolate(kStressExtrapolation * weight);
 }
 
 template <class T>
@@ -287,7 +267,7 @@ void MomentGrid<T>::move_to(const IndexBox& box, MomentGrid& coarse) {
     std::swap(*fine, moved);
   }
   for (RowField<T>* field : {&scratch_.next, &defect_, &scratch_.start}) field->reset(box);
-  if (stress_) stress_->move_to(box, rules_);
+  if (ratio_) ratio_->reset(box), has_ratio_.assign(std::size_t(box.size(1)) * box.size(2), false);
 }
 
 template <class T>

@@ -1,5 +1,5 @@
 #pragma once
-// Images of moments and stresses in ghost cells (grid/ghosts.hpp).
+// Images of moments and scalars in ghost cells (grid/ghosts.hpp).
 #include "solver/fluid/quasisteady/moment_sweep.hpp"
 #include "solver/grid/ghosts.hpp"
 
@@ -12,9 +12,8 @@ inline constexpr ImageComponent kMirroredMoments[] = {{kRho, 1}, {kGx, 1}, {kGy,
 inline constexpr ImageComponent kTurnedMoments[] = {{kRho, 1}, {kGx, -1}, {kGy, -1}, {kGz, 1}};
 inline constexpr Images kMomentImages = {kMomentsBehindWall, kMirroredMoments, kTurnedMoments};
 
-/// Stresses are even behind a wall; mirror and half-turn reverse P_xz and P_yz.
-inline constexpr ImageComponent kStressesBehindWall[] = {{kXX, 1}, {kYY, 1}, {kXY, 1}, {kXZ, 1}, {kYZ, 1}};
-inline constexpr ImageComponent kReflectedStresses[] = {{kXX, 1}, {kYY, 1}, {kXY, 1}, {kXZ, -1}, {kYZ, -1}};
-inline constexpr Images kStressImages = {kStressesBehindWall, kReflectedStresses, kReflectedStresses};
+/// A scalar is even everywhere.
+inline constexpr ImageComponent kEven[] = {{0, 1}};
+inline constexpr Images kScalarImages = {kEven, kEven, kEven};
 
 }  // namespace capstan

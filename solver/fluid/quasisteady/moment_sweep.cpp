@@ -39,10 +39,11 @@ template <class T>
 /// 36 times the moments of the populations that stream from x into one row, for each x of a block. They are
 /// summed over this row and the eight rows around it, separately for the directions with e_x = 1 (right), e_x
 /// = -1 (left) and e_x = 0 (across).
-template <class T, int kSums, int kSumsAcross>
+template <class T>
 struct Sent {
+  static constexpr int kSums = 3;
   static constexpr int kRoom = kBlock + 2 * kLanes;
-  alignas(64) T right[kSums][kRoom], left[kSums][kRoom], across[kSumsAcross][kRoom];
+  alignas(64) T right[kSums][kRoom], left[kSums][kRoom], across[kSums][kRoom];
 
   /// Sets the entries next to both ends of the block to zero. At the ends of a row no sums are computed
   /// there, but relax() reads them.
@@ -62,13 +63,9 @@ struct Sent {
     return across[k][at] + (from_left(k, at) + from_right(k, at));
   }
 };
-/// Factors of the populations in the sums: 1, e_y, e_z, e_y e_y, e_z e_z, e_y e_z. Moments with the factor
-/// e_x are the differences of right and left.
-enum { kSum, kSumY, kSumZ, kSumYY, kSumZZ, kSumYZ };
-template <class T>
-using FluidSent = Sent<T, 3, 3>;
-template <class T>
-using StressSent = Sent<T, 5, 6>;
+/// Factors of the populations in the sums: 1, e_y, e_z. The moment with the factor e_x is the difference of
+/// right and left.
+enum { kSum, kSumY, kSumZ };
 
 /// The start of a row in memory: the ghost before its first cell.
 template <class T>
@@ -76,11 +73,11 @@ template <class T>
   return static_cast<T*>(__builtin_assume_aligned(first_cell - 1, 64));
 }
 
-/// First half of (b) without stresses: for each x, sums over the row and the eight rows around it. A
+/// First half of (b): for each x, sums over the row and the eight rows around it. A
 /// population with e_y = +-1 comes from the row y -+ 1, likewise for z. 36 w_i is 12 at rest, 2 along an axis
 /// and 1 along a diagonal.
 template <class T>
-[[gnu::always_inline]] inline void gather(const FluidRow<T>& row, const Block& block, FluidSent<T>& sent) {
+[[gnu::always_inline]] inline void gather(const FluidRow<T>& row, const Block& block, Sent<T>& sent) {
   const Strides& s = row.strides;
   const T* __restrict rho = begin_of(row.m);
   const T *gx = rho + s.component, *gy = gx + s.component, *gz = gy + s.component;
@@ -111,78 +108,10 @@ template <class T>
   }
 }
 
-/// phi_i of (a), in its parts that are even and odd in e_x.
+/// Second half of (b): the sums over the populations from x - 1, from x + 1 and from the same x, minus (c);
+/// then the relaxation. Ghosts are copied.
 template <class T>
-struct Phi {
-  T even, odd;
-};
-
-/// First half of (b) with stresses: also sums for the second moments.
-template <class T>
-[[gnu::always_inline]] inline void gather(const StressRow<T>& row, const Block& block, StressSent<T>& sent) {
-  const Strides &s = row.fluid.strides, &t = row.stress_strides;
-  const T* __restrict rho = begin_of(row.fluid.m);
-  const T *gx = rho + s.component, *gy = gx + s.component, *gz = gy + s.component;
-  const T* __restrict xx = begin_of(row.q);
-  const T *yy = xx + t.component, *xy = yy + t.component, *xz = xy + t.component, *yz = xz + t.component;
-  constexpr T weight = 4.5;  // of Q in phi
-  const int shift = kLanes - block.first;
-#pragma GCC ivdep
-  for (int i = block.from; i < block.to; ++i) {
-    // phi along (e_x, e_y, 0), from the row at y - e_y; `across` is that for e_x = 0.
-    const auto in_y = [&](int ey, T& across) {
-      const std::ptrdiff_t at = i - ey * s.y, p_at = i - ey * t.y;
-      across = rho[at] + T(3 * ey) * gy[at] + weight * yy[p_at];
-      return Phi<T>{across + weight * xx[p_at], 3 * gx[at] + T(2 * ey) * weight * xy[p_at]};
-    };
-    const auto in_z = [&](int ez, T& across) {
-      const std::ptrdiff_t at = i - ez * s.z, p_at = i - ez * t.z;
-      const T isotropic = rho[at] + T(3 * ez) * gz[at];
-      across = isotropic - weight * (xx[p_at] + yy[p_at]);
-      return Phi<T>{isotropic - weight * yy[p_at], 3 * gx[at] + T(2 * ez) * weight * xz[p_at]};
-    };
-    const auto corner = [&](int ey, int ez) {
-      const std::ptrdiff_t at = i - ey * s.y - ez * s.z, p_at = i - ey * t.y - ez * t.z;
-      return rho[at] + 3 * (T(ey) * gy[at] + T(ez) * gz[at]) +
-             weight * (T(2 * ey * ez) * yz[p_at] - xx[p_at]);
-    };
-    const T axis = weight * xx[i];
-    T yp, yn, zp, zn;
-    const Phi<T> right_yp = in_y(1, yp), right_yn = in_y(-1, yn);
-    const Phi<T> right_zp = in_z(1, zp), right_zn = in_z(-1, zn);
-    const Phi<T> sum_y{right_yp.even + right_yn.even, right_yp.odd + right_yn.odd};
-    const Phi<T> sum_z{right_zp.even + right_zn.even, right_zp.odd + right_zn.odd};
-    const T even = 2 * (rho[i] + axis) + (sum_y.even + sum_z.even), odd = 6 * gx[i] + (sum_y.odd + sum_z.odd);
-    const T even_y = right_yp.even - right_yn.even, odd_y = right_yp.odd - right_yn.odd;
-    const T even_z = right_zp.even - right_zn.even, odd_z = right_zp.odd - right_zn.odd;
-    sent.send(kSum, i + shift, even, odd);
-    sent.send(kSumY, i + shift, even_y, odd_y);
-    sent.send(kSumZ, i + shift, even_z, odd_z);
-    sent.send(kSumYY, i + shift, sum_y.even, sum_y.odd);
-    sent.send(kSumZZ, i + shift, sum_z.even, sum_z.odd);
-
-    const T pp = corner(1, 1), pn = corner(1, -1), np = corner(-1, 1), nn = corner(-1, -1);
-    const T corners = (pp + pn) + (np + nn), across_yy = 2 * (yp + yn) + corners,
-            across_zz = 2 * (zp + zn) + corners;
-    sent.across[kSum][i + shift] = 12 * rho[i] + 2 * (yp + yn) + across_zz;
-    sent.across[kSumY][i + shift] = 2 * (yp - yn) + ((pp + pn) - (np + nn));
-    sent.across[kSumZ][i + shift] = 2 * (zp - zn) + ((pp - pn) + (np - nn));
-    sent.across[kSumYY][i + shift] = across_yy;
-    sent.across[kSumZZ][i + shift] = across_zz;
-    sent.across[kSumYZ][i + shift] = (pp + nn) - (pn + np);
-  }
-}
-
-template <class T>
-struct MomentWeights {
-  Weights<T> rho, g;
-};
-
-/// Second half of (b) for density and momentum: the sums over the populations from x - 1, from x + 1 and from
-/// the same x, minus (c); then the relaxation with the weights of each cell. Ghosts are copied.
-template <class T, class Sent, class WeightsAt>
-[[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block, const Sent& sent,
-                                         WeightsAt weights_of_cell) {
+[[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block, const Sent<T>& sent) {
   const std::ptrdiff_t k = row.strides.component;
   const T* __restrict m = begin_of(row.m);
   const T* __restrict d = begin_of(row.defect);
@@ -190,8 +119,8 @@ template <class T, class Sent, class WeightsAt>
   const int shift = kLanes - block.first;
 #pragma GCC ivdep
   for (int i = block.first; i < block.last; ++i) {
-    const MomentWeights<T> of_cell = weights_of_cell(i);
-    const Weights<T>&of_rho = of_cell.rho, &of_g = of_cell.g;
+    const Weights<T> of_rho = weights_at(i, row.count, row.keep, row.blend),
+                     of_g = weights_at(i, row.count, row.g_keep, row.g_blend);
     const auto put = [&](int j, const Weights<T>& weights, T sum, T carried) {
       const std::ptrdiff_t at = i + j * k;
       out[at] = weights.keep * m[at] + weights.blend * (sum * T(1. / 36) + d[at] - carried);
@@ -207,55 +136,9 @@ template <class T, class Sent, class WeightsAt>
 }
 
 template <class T>
-[[gnu::always_inline]] inline void relax(const FluidRow<T>& row, const Block& block,
-                                         const FluidSent<T>& sent) {
-  relax(row, block, sent, [&](int i) {
-    return MomentWeights<T>{weights_at(i, row.count, row.keep, row.blend),
-                            weights_at(i, row.count, row.g_keep, row.g_blend)};
-  });
-}
-
-/// Second half of (b) for density, momentum and stresses.
-template <class T>
-[[gnu::always_inline]] inline void relax(const StressRow<T>& row, const Block& block,
-                                         const StressSent<T>& sent) {
-  const int cells = row.fluid.count;
-  const T* __restrict c = begin_of(row.factor);
-  relax(row.fluid, block, sent, [&](int i) {
-    return MomentWeights<T>{
-        weights_at(i, cells, row.fluid.keep + c[i] * row.thin_rho, row.fluid.blend - c[i] * row.thin_rho),
-        weights_at(i, cells, row.fluid.g_keep + c[i] * row.thin_g_keep,
-                   row.fluid.g_blend - c[i] * row.thin_g_blend)};
-  });
-  const std::ptrdiff_t k = row.stress_strides.component;
-  const T* __restrict p = begin_of(row.p);
-  const T* __restrict d = begin_of(row.p_defect);
-  T* __restrict out = begin_of(row.p_out);
-  const int shift = kLanes - block.first;
-#pragma GCC ivdep
-  for (int i = block.first; i < block.last; ++i) {
-    const Weights<T> weights =
-        weights_at(i, cells, row.p_keep + c[i] * row.thin_p, row.p_blend - c[i] * row.thin_p);
-    const auto put = [&](int j, T sum) {
-      const std::ptrdiff_t at = i + j * k;
-      out[at] = weights.keep * p[at] + weights.blend * (sum * T(1. / 36) + d[at]);
-    };
-    const int from = i + shift;
-    const T sum_xx = sent.from_left(kSum, from) + sent.from_right(kSum, from);
-    const T sum_yy = sent.arrived(kSumYY, from), sum_zz = sent.arrived(kSumZZ, from);
-    const T trace = (sum_xx + sum_yy + sum_zz) * T(1. / 3);
-    put(kXX, sum_xx - trace);
-    put(kYY, sum_yy - trace);
-    put(kXY, sent.from_left(kSumY, from) - sent.from_right(kSumY, from));
-    put(kXZ, sent.from_left(kSumZ, from) - sent.from_right(kSumZ, from));
-    put(kYZ, sent.across[kSumYZ][from]);
-  }
-}
-
-template <class Sent, class Row>
-[[gnu::always_inline]] inline void sweep(const Row& row, int cells) {
-  Sent sent;
-  const int numbers = whole_lanes(cells + 2);
+[[gnu::always_inline]] inline void sweep(const FluidRow<T>& row) {
+  Sent<T> sent;
+  const int numbers = whole_lanes(row.count + 2);
   for (int first = 0; first < numbers; first += kBlock) {
     const Block block = block_at(first, numbers);
     sent.begin(block);
@@ -266,15 +149,7 @@ template <class Sent, class Row>
 
 }  // namespace
 
-CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<float>& row) { sweep<FluidSent<float>>(row, row.count); }
-CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<double>& row) {
-  sweep<FluidSent<double>>(row, row.count);
-}
-CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<float>& row) {
-  sweep<StressSent<float>>(row, row.fluid.count);
-}
-CAPSTAN_VECTOR_UNITS void sweep_stress(const StressRow<double>& row) {
-  sweep<StressSent<double>>(row, row.fluid.count);
-}
+CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<float>& row) { sweep(row); }
+CAPSTAN_VECTOR_UNITS void sweep_fluid(const FluidRow<double>& row) { sweep(row); }
 
 }  // namespace capstan

@@ -11,43 +11,27 @@
 namespace capstan {
 namespace {
 
-// Relaxation factors measured to smooth well for 1 <= V <= 10. With one cycle a step and linear
-// extrapolation in time, errors would grow from step to step if an eigenvalue of the cycle were below -1/3.
-// With these factors none is.
-constexpr Relaxation kRelaxation = {.everywhere = {{0.9, 0.5}, {0.75, 0.5}}};
-
-// The same with a thin inner fluid, V < 1. There a shear wave of wave number k across a spacing is damped at
-// the rate
-//   (1 + c) (1 - cos k) / (3 (1 - c cos k)),   c = 1 - s,
-// which at k = pi/2 tends to 0 with the viscosity (c -> -1), while other short waves are damped at rates of
-// up to 2. So the inner fluid is swept three times as often, with factors that differ from sweep to sweep,
-// those of the density apart from those of the momentum. They minimise the largest error that remains of any
-// wave with k >= pi/2 in uniform fluid of c = -0.87 and -0.48 (V = 0.07 and 0.35), under the conditions that
-// longer waves do not grow and that steps of one cycle are stable: after the six sweeps 0.59 remains, after
-// the two sweeps of kRelaxation 0.96.
-constexpr SweepRelaxation kThinAfterFirst[] = {{0.8, 0.5, {-0.35, -0.06, 1.02}},
-                                               {0.8, 0.5, {-0.99, -0.24, 0.04}}},
-                          kThinAfterSecond[] = {{0.8, 0.5, {-0.87, 0.78, 5.31}},
-                                                {0.8, 0.5, {-0.70, -0.28, 0.01}}};
-constexpr Relaxation kThinRelaxation = {
-    .everywhere = {{0.9, 0.5, {-0.96, 2.17, 1.75}}, {0.75, 0.5, {-0.95, 1.89, 0.08}}},
-    .rows_with_stress = {kThinAfterFirst, kThinAfterSecond}};
+// Relaxation factors of alternate sweeps, measured to smooth well for 0.15 <= V <= 20. With one cycle a step
+// and linear extrapolation in time, errors would grow from step to step if an eigenvalue of the cycle were
+// below -1/3. With these factors none is.
+constexpr std::array<double, 2> kRelaxation = {0.9, 0.75};
 
 constexpr int kMaxCycles = 100;
 // Bounds of the estimated contraction factor of a cycle: at least 0.2 is assumed, and at most 0.95.
 constexpr double kMinContraction = 0.2, kMaxContraction = 0.95;
 // A W-cycle, except that each of the two coarsest grids is visited once: a second visit would take more time
-// than it saves.
-constexpr CycleShape kCycle{.pre = 0, .post = 2, .visits = 2, .single_visits = 2, .coarsest = 10};
+// than it saves. Where the viscosities differ much there are twice as many sweeps: with two, errors grow from
+// step to step at V = 0.05, and a red cell of V = 10 needs three times as many cycles.
+CycleShape cycle_shape(double V) {
+  constexpr double kThin = 0.15, kViscous = 6;
+  return {
+      .pre = 0, .post = V < kThin || V > kViscous ? 4 : 2, .visits = 2, .single_visits = 2, .coarsest = 10};
+}
 
 // A membrane that becomes unstable would change its volume, if that was not kept.
 constexpr double kMaxLeak = 0.1;
 constexpr const char* kLeak =
     "the flow through the membrane is more than a tenth of its volume per unit of kt";
-
-/// The share of the stress that the lattice spreads which is returned (stress_tensor.hpp). A thin inner fluid
-/// needs nothing. By Fourier analysis the iteration with the whole of it is unstable from V = 20 on.
-double local_share(double V) { return std::min(1., 10 / V); }
 
 GridGeometry finest_grid(double dx) { return {Vec3::Constant(dx / 2), dx}; }
 
@@ -60,8 +44,7 @@ QuasisteadyFlow<T>::QuasisteadyFlow(const TriangleMesh& mesh, Orbits orbits,
       domain_{int(std::lround(options.box / options.dx)), false, options.is_uniform},
       coupling_(finest_grid(options.dx), mesh, orbits, options.V, options.volume) {
   domain_.is_quarter = coupling_.has_symmetry();
-  if (options.V != 1)
-    viscosity_.emplace(finest_grid(options.dx), mesh, std::move(orbits), kViscosityHalfWidth);
+  if (options.V != 1) viscosity_.emplace(finest_grid(options.dx), mesh, std::move(orbits));
 }
 
 template <class T>
@@ -79,7 +62,7 @@ FlowReport QuasisteadyFlow<T>::solve(double kt, const Points& positions, const P
     forget_flow();
     return report;
   }
-  grids_.front().add_momentum(-0.5, force_);
+  grids_.front().add_momentum(-1, half_force_);
   if (coupling_.leak() > kMaxLeak) return lost_flow(kLeak);
   return report;
 }
@@ -108,7 +91,7 @@ template <class T>
 void QuasisteadyFlow<T>::make_grids(const std::vector<IndexBox>& boxes) {
   for (int grid = 0; grid < int(boxes.size()); ++grid)
     grids_.emplace_back(boxes[grid], domain_.box(grid), domain_.rules(), options_.dx * (1 << grid),
-                        options_.Re, viscosity_.has_value(), options_.V < 1 ? kThinRelaxation : kRelaxation);
+                        options_.Re, viscosity_.has_value(), kRelaxation);
 }
 
 /// The initial condition of unsteady flow.
@@ -131,24 +114,15 @@ void QuasisteadyFlow<T>::clear_forces(double kt) {
   for (MomentGrid<T>& grid : grids_) grid.add_time_derivative(difference);
 }
 
-/// The finest grid distinguishes stresses along the membrane from others; coarser grids have the mean
-/// viscosity.
 template <class T>
 void QuasisteadyFlow<T>::put_viscosity(const Points& positions) {
-  const IndexBox capsule = coupling_.touched();
-  InterfaceField interface;
-  interface.reset(capsule);
-  viscosity_->update(positions, shift_of_stress(options_.V), interface);
-  grids_.front().set_viscosity(interface, options_.V);
-  ScalarField ratio;
-  ratio.reset(capsule);
-  for_each_row_in_order(capsule, [&](int y, int z) {
-    for (int i = 0; i < capsule.size(0); ++i)
-      ratio.row(0, y, z)[i] = options_.V + (1 - options_.V) * interface.row(kAmbientPartAlong, y, z)[i];
-  });
+  ratio_.reset(coupling_.touched());
+  viscosity_->update(positions, layer_viscosity(options_.V), ratio_);
+  grids_.front().set_viscosity(ratio_);
+  ScalarField coarse = ratio_;
   for (std::size_t grid = 1; grid < grids_.size(); ++grid) {
-    ratio = coarsened(ratio, 1);
-    grids_[grid].set_viscosity(ratio);
+    coarse = coarsened(coarse, 1);
+    grids_[grid].set_viscosity(coarse);
   }
 }
 
@@ -164,30 +138,41 @@ void QuasisteadyFlow<T>::extrapolate_to(double kt) {
   solved_at_.push_back(kt);
 }
 
-// Between two solves the finest grid holds velocities u instead of momenta g = u + F/2: the force in a cell
-// changes strongly while the membrane passes it, but the velocity changes little. So the velocities are
+// Between two solves the finest grid holds velocities u instead of momenta g = u + F/(2 R): the force in a
+// cell changes strongly while the membrane passes it, but the velocity changes little. So the velocities are
 // extrapolated in time, not the momenta.
 template <class T>
 void QuasisteadyFlow<T>::put_forces(const Points& forces) {
   coupling_.spread(forces, kAmbientViscosity / options_.dx, force_);
   for (MomentGrid<T>& grid : grids_) grid.add_convection();
-  grids_.front().add_force(force_);
-  grids_.front().add_momentum(0.5, force_);
+  put_half_force();
+  grids_.front().add_force(force_, half_force_);
+  grids_.front().add_momentum(1, half_force_);
 }
 
-/// u = g - F/2, read at the vertices.
+template <class T>
+void QuasisteadyFlow<T>::put_half_force() {
+  half_force_.reset(force_.box());
+  for_each_row_in_order(force_.box(), [&](int y, int z) {
+    const double* ratio = viscosity_ ? ratio_.row(0, y, z) : nullptr;
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < force_.box().size(0); ++i)
+        half_force_.row(c, y, z)[i] = force_.row(c, y, z)[i] / (2 * (ratio ? ratio[i] : 1));
+  });
+}
+
+/// u = g - F/(2 R), read at the vertices.
 template <class T>
 void QuasisteadyFlow<T>::vertex_velocities(Points& velocities) {
   velocity_.reset(force_.box());
   grids_.front().momentum(velocity_);
-  add_scaled(-0.5, force_, velocity_);
+  add_scaled(-1, half_force_, velocity_);
   coupling_.read(velocity_, velocities);
 }
 
 template <class T>
 void QuasisteadyFlow<T>::cycle() {
-  if (options_.V > 1) grids_.front().put_local_stress(local_share(options_.V));
-  fas_cycle(std::span(grids_), kCycle);
+  fas_cycle(std::span(grids_), cycle_shape(options_.V));
 }
 
 /// Makes the next solve start from the undisturbed flow, because the present flow is not finite.

@@ -53,6 +53,7 @@ class QuasisteadyFlow : public FlowModel {
   void put_viscosity(const Points& positions);
   void clear_forces(double kt);
   void put_forces(const Points& forces);
+  void put_half_force();
   void extrapolate_to(double kt);
   void vertex_velocities(Points& velocities);
   void forget_flow();
@@ -68,8 +69,10 @@ class QuasisteadyFlow : public FlowModel {
   std::vector<double> solved_at_;     ///< kt of the last two solves, or fewer
   double first_contraction_ = 0.3;    ///< contraction factor of the first cycle, measured in an earlier solve
   // Scratch of a solve
-  VectorField force_;     ///< of the membrane on the finest grid
-  VectorField velocity_;  ///< in the same cells
+  ScalarField ratio_;       ///< of the viscosity to the ambient one, on the finest grid near the capsule
+  VectorField force_;       ///< of the membrane in the same cells
+  VectorField half_force_;  ///< force / (2 ratio)
+  VectorField velocity_;    ///< in the same cells
 };
 
 }  // namespace capstan

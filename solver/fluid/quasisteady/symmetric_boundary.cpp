@@ -89,18 +89,19 @@ void SymmetricBoundary::unfold(const VectorField& quarter) {
   });
 }
 
-void SymmetricBoundary::spread(const Points& forces, const Points& slips, double scale, VectorField& field) {
-  Tensors dipoles(9, 0);
-  if (slips.cols() > 0) {
-    const Points S = shares(slips);
-    dipoles.resize(9, S.cols());
+void SymmetricBoundary::spread(const Points& forces, const Points& dipoles, double scale,
+                               VectorField& field) {
+  Tensors tensors(9, 0);
+  if (dipoles.cols() > 0) {
+    const Points S = shares(dipoles);
+    tensors.resize(9, S.cols());
     for (Eigen::Index k = 0; k < S.cols(); ++k)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          dipoles(3 * i + j, k) = S(i, k) * normals_(j, k) + normals_(i, k) * S(j, k);
+          tensors(3 * i + j, k) = S(i, k) * normals_(j, k) + normals_(i, k) * S(j, k);
   }
   unfolded_.reset(unfolded());
-  boundary_.spread(shares(forces), dipoles, scale, unfolded_);
+  boundary_.spread(shares(forces), tensors, scale, unfolded_);
   sharpening_.apply(unfolded_);
   fold(field);
 }

@@ -27,8 +27,8 @@ class SymmetricBoundary {
   /// field = scale * G [sum_k (F_k delta(x - X_k) - div (S_k n_k + n_k S_k) delta(x - X_k))], in the cells
   /// touched().
   /// \param forces  3 x #V, F
-  /// \param slips   3 x #V, S in units of F a; no columns if there are none
-  void spread(const Points& forces, const Points& slips, double scale, VectorField& field);
+  /// \param dipoles  3 x #V, S in units of F a; no columns if there are none
+  void spread(const Points& forces, const Points& dipoles, double scale, VectorField& field);
 
   /// velocities_k = sum_x (G u)(x) delta(x - X_k), 3 x #V, for a field over touched().
   void interpolate(const VectorField& field, Points& velocities);

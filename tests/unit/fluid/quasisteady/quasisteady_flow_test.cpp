@@ -140,32 +140,33 @@ std::vector<double> errors_of_cycles(const ShearedCapsule& cell, double V, doubl
 double first_contraction(const std::vector<double>& errors) { return errors[1] / errors[0]; }
 double mean_contraction(const std::vector<double>& errors) { return std::pow(errors[5] / errors[0], 1. / 5); }
 
-// Measured: first 0.12, 0.09, 0.12 at V = 1, 4, 10, mean 0.31, 0.19, 0.24.
-TEST(QuasisteadyFlow, FirstCycleLeavesASixthOfTheErrorAndLaterOnesAThirdOnEveryGrid) {
-  for (double V : {1.0, 4.0, 10.0})
+// Measured at dx = 0.2 for the first cycle and the mean of five:
+//     V        red cell        sphere
+//     0.02     0.14, 0.43      0.07, 0.25
+//     0.05     0.13, 0.30      0.07, 0.18
+//     0.1      0.13, 0.24      0.07, 0.17
+//     0.2      0.19, 0.33      0.08, 0.29
+//     1        0.11, 0.33      0.15, 0.32
+//     4        0.08, 0.30      0.07, 0.28
+//     10       0.08, 0.35      0.07, 0.29
+//     20       0.09, 0.41      0.08, 0.30
+//     50       0.11, 0.45      0.10, 0.33
+TEST(QuasisteadyFlow, FirstCycleLeavesAFifthOfTheErrorAndLaterOnesAThird) {
+  for (double V : {0.05, 0.2, 1.0, 4.0, 10.0, 20.0})
     for (double dx : {0.2, 0.1}) {
       const auto errors = errors_of_cycles(RedCell(), V, dx);
-      EXPECT_LT(first_contraction(errors), 1. / 6) << "V = " << V << ", dx = " << dx;
+      EXPECT_LT(first_contraction(errors), 0.2) << "V = " << V << ", dx = " << dx;
       EXPECT_LT(mean_contraction(errors), 0.35) << "V = " << V << ", dx = " << dx;
     }
 }
 
-// Measured at dx = 0.2 (with the paper's coupling; now the first cycle leaves up to 0.27), for the first
-// cycle and the mean of five, with the factors for a thin inner fluid and with those for V >= 1:
-//     V        red cell                      sphere
-//     0.05     0.23, 0.30   (0.37, 0.61)     0.13, 0.32   (0.28, 0.57)
-//     0.1      0.21, 0.26   (0.36, 0.59)     0.12, 0.28   (0.26, 0.54)
-//     0.5      0.09, 0.17   (0.21, 0.44)     0.14, 0.18   (0.23, 0.44)
-TEST(QuasisteadyFlow, FirstCycleLeavesThreeTenthsOfTheErrorWithAThinInnerFluidAndLaterOnesFourTenths) {
-  for (double V : {0.05, 0.1, 0.5})
+TEST(QuasisteadyFlow, CyclesConvergeInAVeryThinAndInAVeryViscousInnerFluid) {
+  for (double V : {0.02, 50.0})
     for (const char* shape : {"biconcave", "sphere"}) {
       const auto errors = errors_of_cycles(ShearedCapsule(shape), V, 0.2);
-      EXPECT_LT(first_contraction(errors), 0.3) << "V = " << V << ", " << shape;
-      EXPECT_LT(mean_contraction(errors), 0.4) << "V = " << V << ", " << shape;
+      EXPECT_LT(first_contraction(errors), 0.2) << "V = " << V << ", " << shape;
+      EXPECT_LT(mean_contraction(errors), 0.5) << "V = " << V << ", " << shape;
     }
-  const auto fine = errors_of_cycles(RedCell(), 0.1, 0.1);
-  EXPECT_LT(first_contraction(fine), 0.3);
-  EXPECT_LT(mean_contraction(fine), 0.4);
 }
 
 /// Relative error after steps of one cycle, each of which starts from the linear extrapolation of the two
@@ -181,11 +182,11 @@ double error_after_steps_of_one_cycle(const ShearedCapsule& capsule, double V, i
   return difference(u, exact);
 }
 
-// Measured after 40 steps: at most 1.2e-5, at V = 4. With the factors for V >= 1 errors grow: 5e-3 at V =
-// 0.05, 2e-3 at V = 0.1.
+// Measured after 60 steps: at most 1e-6 up to V = 4, 3e-5 at V = 20.
 TEST(QuasisteadyFlow, StepsOfOneCycleConvergeWhileTheMembraneIsAtRest) {
   for (double V : {0.05, 0.1, 0.5, 1.0, 4.0})
     EXPECT_LT(error_after_steps_of_one_cycle(ShearedCapsule("sphere"), V, 60), 1e-5) << "V = " << V;
+  EXPECT_LT(error_after_steps_of_one_cycle(ShearedCapsule("sphere"), 20, 60), 1e-4);
 }
 
 TEST(QuasisteadyFlow, ReportsAReasonForACapsuleOutsideOfTheDomain) {
