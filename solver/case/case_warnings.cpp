@@ -12,8 +12,6 @@
 namespace capstan {
 namespace {
 
-constexpr double kCoarse = 0.2;  // dx at which an inside of any viscosity in range can be solved for
-
 /// Warns if the flow model neglects inertia at a Reynolds number above the limit of the paper, fig. 10.
 std::string neglected_inertia(const Case& c) {
   if (!neglects_inertia(c)) return "";
@@ -49,7 +47,7 @@ std::string lattice_finer_than_mesh(const Case& c) {
 double deformation_error(const Case& c) {
   if (!c.has_grid() || c.V <= 1) return 0;
   const double dx = c.fidelity.dx;
-  return c.has_composite_grid() ? 0.4 * std::max(0., c.V - 10) * dx * dx : 0.09 * c.V * dx;
+  return c.has_composite_grid() ? std::clamp(0.4 * (c.V - 10) * dx * dx, 0., 0.8) : 0.09 * c.V * dx;
 }
 
 std::string viscosity_on_coarse_lattice(const Case& c) {
@@ -65,10 +63,9 @@ std::string viscosity_on_coarse_lattice(const Case& c) {
 
 std::string inside_too_thin_for_lattice(const Case& c) {
   if (!is_too_thin_for_lattice(c)) return "";
-  return "V = " + rounded(c.V) + " on a lattice of dx = " + rounded(c.fidelity.dx) +
-         ": the solution of the flow is likely to become unstable; use \"fluid\": \"stokes\", a larger V, or "
-         "dx = " +
-         rounded(kCoarse);
+  return "inertia is Re/V = " + rounded(c.Re / c.V) +
+         " times as large as viscosity in the inner fluid: the solution of the flow is likely to become "
+         "unstable; use a smaller Re or a larger V";
 }
 
 /// Wrinkles change a sphere's D_xy at Ca = 0.0125 by 11 % with 2562 nodes. E_b = 0.0001 keeps spheres smooth
@@ -112,8 +109,8 @@ std::string not_validated(const Case& c) {
 }  // namespace
 
 bool is_too_thin_for_lattice(const Case& c) {
-  constexpr double kMinV = 0.05;
-  return c.has_composite_grid() && c.V < kMinV && c.fidelity.dx < kCoarse;
+  constexpr double kMaxInertia = 12;
+  return c.has_composite_grid() && c.V < 1 && c.Re > kMaxInertia * c.V;
 }
 
 std::vector<std::string> case_warnings(const Case& c) {

@@ -8,9 +8,9 @@
 
 namespace capstan {
 
-/// Whether the iteration for the flow is likely to diverge because the inner viscosity is low and the spacing
-/// is small. Spheres (Ca = 0.1): at dx = 0.1 V = 0.03 and 0.01 fail at once, 0.05 does not; at dx = 0.2 0.01
-/// does not.
+/// Whether the solution of the flow is likely to become unstable because the inner viscosity is low compared
+/// with inertia. A sphere of V = 0.025, Ca = 1, dx = 0.2: it fails at Re/V = 16 and more, not at 8. Without
+/// inertia V = 0.01 is stable at dx = 0.1.
 bool is_too_thin_for_lattice(const Case& c);
 
 /// Sentences: what is wrong, why, and what to do.

@@ -27,11 +27,10 @@ double history_size(const Case& c) {
 /// Measured sizes of the membrane's and the flow's state: all cells of a uniform lattice, the cells near the
 /// capsule of a composite grid.
 double checkpoint_size(const Case& c) {
-  constexpr double kVertex = 108, kCell = 190, kCellWithStresses = 450;
+  constexpr double kVertex = 108, kCell = 190;
   const double membrane = kVertex * c.fidelity.nodes + 10'000;
   if (!c.has_grid()) return membrane;
-  if (!c.has_composite_grid()) return membrane + kCell * uniform_cells(c);
-  return membrane + (c.has_viscosity_ratio() ? kCellWithStresses : kCell) * composite_cells(c);
+  return membrane + kCell * (c.has_composite_grid() ? composite_cells(c) : uniform_cells(c));
 }
 
 /// Of a composite grid: the fields of the finest level, in single or double precision, and half of them if

@@ -45,6 +45,7 @@ Layer layer_at(double V) {
 }
 
 double viscosity_at(double z, const Layer& layer) {
+  if (std::abs(z) >= kLayerReach) return z > 0 ? 1 : layer.V;
   const double H = smoothed_heaviside(z - kShift, kHalfWidth);
   const double next_to_membrane = z > -1 && z < 0 ? 2 * std::pow(std::sin(std::numbers::pi * z), 2) : 0;
   return 1 / (H + (1 - H) / layer.V) + layer.excess * (layer.V - 1) * next_to_membrane;
@@ -79,7 +80,9 @@ double mean_psi() {
 
 ViscosityProfile layer_viscosity(double V) {
   if (V >= 1) return [layer = layer_at(V)](double z) { return viscosity_at(z, layer); };
-  return [V, layer = layer_at(1 / V)](double z) { return V * viscosity_at(-z, layer); };
+  return [V, layer = layer_at(1 / V)](double z) {
+    return std::abs(z) < kLayerReach ? V * viscosity_at(-z, layer) : z > 0 ? 1 : V;
+  };
 }
 
 LayerCorrections layer_corrections(double V) {

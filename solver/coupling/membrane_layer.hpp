@@ -19,7 +19,7 @@
 //
 // Slip. Where the kernel overlaps both fluids, f makes the outer fluid slip by a distance that is
 // proportional to f. Force dipoles cancel it. Instead of the force F of a vertex, F - div [s (F_t n + n F_t)]
-// is spread, with s = slip dx. Reading has the transposed error, since u has a kink: so
+// is spread, with s = slip dx. The velocity that is read is wrong by the transpose of this slip, so that
 //   s (I - n n) (grad u + grad u^T) n
 // is added to the velocity of a vertex, the undisturbed flow included.
 //
@@ -41,12 +41,12 @@
 // alone is left, 0.128. For V < 1 the more viscous fluid is outside, and the layer is the mirror image of
 // that for 1/V:
 //   R(z; V) = V R(-z; 1/V),   s(V) = -s(1/V),   t(V) = -t(1/V),   C(V) = C(1/V)/V.
-// Above V = 15 C would have to be negative; then it is 0.
+// Above V = 14 and below 0.07 C would have to be negative; then it is 0.
 //
-// What is left of first order depends on the direction of n and vanishes in the mean (columns on the right of
-// studies/flat_membrane/results.md). At V = 5, root mean squares: a strain along the membrane makes the fluid
-// slip by 0.07 times its rate, C varies by 0.01, and the stress along the membrane lacks or exceeds that of
-// 0.1 cells.
+// What is left of first order (columns on the right of studies/flat_membrane/results.md) differs from one
+// direction of n to the other. At V = 5, root mean squares: a strain along the membrane makes the fluid slip
+// by 0.07 times its rate, C varies by 0.01, and the stress along the membrane is too small or too large by
+// that of a layer 0.1 cells thick.
 #include "solver/coupling/viscosity_field.hpp"
 
 namespace capstan {

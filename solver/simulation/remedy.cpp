@@ -70,11 +70,12 @@ std::string advice_on_drawn_out_shapes(const Case& c) {
 }
 
 /// An inner fluid of low viscosity hardly damps short waves of the membrane. Lattice models smooth these
-/// waves, but a fine lattice no longer converges if the viscosity is very low.
+/// waves, but become unstable where inertia exceeds the inner viscosity by far.
 std::string advice_on_inner_viscosity(const Case& c) {
   if (is_too_thin_for_lattice(c))
-    return "On a lattice of dx = " + rounded(c.fidelity.dx) + " an inside this thin (V = " + rounded(c.V) +
-           ") makes the solution of the flow unstable: take the fluid stokes, or raise V or dx.";
+    return "In an inside this thin (V = " + rounded(c.V) + ") inertia is Re/V = " + rounded(c.Re / c.V) +
+           " times as large as viscosity, which makes the solution of the flow unstable: lower Re, or raise "
+           "V.";
   if (c.fluid != Fluid::stokes || !(c.V < 0.5)) return "";
   return "An inside this thin (V = " + rounded(c.V) +
          ") hardly damps the membrane: take the fluid quasisteady, raise V, or lower Ca.";
@@ -89,6 +90,7 @@ bool is_lost(const SurfaceQuality& surface) {
 std::string remedy(const Case& c, const SurfaceQuality& surface, bool of_motion) {
   const std::string of_fluid = advice_on_fluid(c), of_step = of_motion ? advice_on_time_step(c) : "";
   if (!of_fluid.empty()) return of_fluid;
+  if (of_motion && is_too_thin_for_lattice(c)) return advice_on_inner_viscosity(c);
   if (of_motion && is_unstable(c)) return of_step;  // folds are a consequence of it
   std::string all;
   for (const std::string& one : {of_step, advice_on_folds(c, surface), advice_on_collapse(c, surface)})

@@ -6,7 +6,7 @@
 // `limit` is the memory traffic of scaling an array of the same size in place, in bytes a second; `share` is
 // the traffic of the sweep over this limit. The two are measured in turns. An update of a cell moves 38
 // numbers with 19 populations, 12 with four moments (including those that are fetched only to be
-// overwritten), 16 in a sweep of the composite grid, and 37 in one with stresses.
+// overwritten), 16 in a sweep of the composite grid, and 17 where the viscosity varies.
 #include <benchmark/benchmark.h>
 
 #include "solver/baseline/kernel_speed.hpp"

@@ -46,7 +46,7 @@ template <class Visit>
   (std::make_integer_sequence<int, int(kLinks.size())>{});
 }
 
-/// The sums of (b) over the links of a cell, and the factors of its own density and momentum in them.
+/// The sums of (b) over the links of a cell, and by what they are divided.
 template <class T>
 struct Sums {
   T mass = 0, x = 0, y = 0, z = 0;

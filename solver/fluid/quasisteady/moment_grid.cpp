@@ -214,11 +214,31 @@ void MomentGrid<T>::add_time_derivative(const BackwardDifference& difference) {
   subtract_known_part(difference, state_.now, state_.before, inertia_ * dx_, defect_);
 }
 
-/// The force itself, and its part in the velocity of the time derivative.
+/// The force itself. The sweeps have time derivative and convection of the momentum; those of the velocity,
+/// which is smaller by `half`, are meant.
 template <class T>
 void MomentGrid<T>::add_force(const VectorField& force, const VectorField& half) {
   add_vectors(1, force, defect_);
   if (rate_ != 0) add_vectors(rate_, half, defect_);
+  if (inertia_ != 0) add_carried(half);
+}
+
+/// D += the convection of `half` by the undisturbed flow, and of the undisturbed flow by it.
+template <class T>
+void MomentGrid<T>::add_carried(const VectorField& half) {
+  const IndexBox& cells = half.box();
+  const int first = cells.lo[0] - box().lo[0], count = cells.size(0);
+  for_each_row_in_order(cells, [&](int y, int z) {
+    const double shear = inertia_ * (y + 0.5) * dx_ / 2, lift = inertia_ * dx_;
+    for (int c = 0; c < 3; ++c) {
+      const double* row = half.row(c, y, z);
+      T* to = defect_.row(kGx + c, y, z) + first;
+      for (int i = 1; i + 1 < count; ++i) to[i] += T(shear * (row[i + 1] - row[i - 1]));
+    }
+    const double* along_y = half.row(1, y, z);
+    T* to = defect_.row(kGx, y, z) + first;
+    for (int i = 0; i < count; ++i) to[i] += T(lift * along_y[i]);
+  });
 }
 
 template <class T>

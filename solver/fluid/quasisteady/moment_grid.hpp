@@ -85,6 +85,7 @@ class MomentGrid {
   std::size_t row_index(int y, int z) const {
     return std::size_t(z - box().lo[2]) * box().size(1) + std::size_t(y - box().lo[1]);
   }
+  void add_carried(const VectorField& half);
   double density_weight(double weight) const;
   void take_defect(MomentGrid& fine);
   void take_change();

@@ -4,9 +4,10 @@
 // (time_derivative.hpp) the flow is unsteady, at the same cost: it starts as the undisturbed shear flow and
 // is solved for once a step.
 //
-// Differs from the paper: the free moments have the relaxation rate 1, so that the equation is solved in
-// moments (moment_sweep.hpp); the fine grid covers only the surroundings of the capsule; a solve starts from
-// an extrapolation in time; cycles stop on an estimate of the error.
+// Differs from the paper: the free moments have the relaxation rate 1, or where the viscosity varies there
+// are two rates, so that density and momentum are the only unknowns (moment_sweep.hpp, link_sweep.hpp); the
+// fine grid covers only the surroundings of the capsule; a solve starts from an extrapolation in time; cycles
+// stop on an estimate of the error.
 #include <optional>
 #include <vector>
 

@@ -50,7 +50,7 @@ TEST(CaseWarnings, AViscousInsideOnACoarseLatticeSaysHowFarOffAndWhatToUse) {
                           HasSubstr("outside 0.1 to 20")));
   EXPECT_THAT(
       warnings_of(R"("fluid": "quasisteady", "V": 100, "fidelity": "fast")"),
-      ElementsAre(AllOf(HasSubstr("V = 100"), HasSubstr("% too large"), HasSubstr("dx of at most 0.0527")),
+      ElementsAre(AllOf(HasSubstr("V = 100"), HasSubstr("% too large"), HasSubstr("dx of at most 0.0707")),
                   HasSubstr("outside 0.1 to 20")));
   EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 10, "fidelity": "fast")"), IsEmpty());
   EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 10, "fidelity": {"preset": "paper", "dx": 0.2})"),
@@ -83,13 +83,13 @@ TEST(CaseWarnings, NumbersBeyondTheMeasuredOnesAreNamed) {
   EXPECT_THAT(warnings_at(2, R"("E_b": 0.01, "V": 20)"), IsEmpty());
 }
 
-TEST(CaseWarnings, AThinInsideOnAFineLatticeNamesTheOtherModel) {
+TEST(CaseWarnings, AThinInsideWithInertiaSaysByHowMuchAndWhatToUse) {
   const auto is_unstable = ::testing::Contains(HasSubstr("likely to become unstable"));
-  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 0.03, "fidelity": "standard")"),
-              ::testing::Contains(
-                  AllOf(HasSubstr("V = 0.03"), HasSubstr("\"fluid\": \"stokes\""), HasSubstr("dx = 0.2"))));
-  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 0.05, "fidelity": "standard")"), Not(is_unstable));
-  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 0.01, "fidelity": "fast")"), Not(is_unstable));
+  EXPECT_THAT(warnings_of(R"("fluid": "unsteady", "V": 0.03, "Re": 0.6, "fidelity": "fast")"),
+              ::testing::Contains(AllOf(HasSubstr("Re/V = 20"), HasSubstr("smaller Re or a larger V"))));
+  EXPECT_THAT(warnings_of(R"("fluid": "unsteady", "V": 0.1, "Re": 0.6, "fidelity": "fast")"),
+              Not(is_unstable));
+  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 0.01, "fidelity": "standard")"), Not(is_unstable));
   EXPECT_THAT(warnings_of(R"("fluid": "stokes", "V": 0.01, "fidelity": "standard")"), Not(is_unstable));
 }
 

@@ -18,7 +18,7 @@ TEST(RunSize, IsThatOfRealRuns) {
               4.4e6, 1e6);
   EXPECT_NEAR(size(R"(, "V": 4, "shape": "biconcave", "fluid": "quasisteady", "until": {"kt": 0.2},
                       "fidelity": "standard", "outputs": {"shapes_every": 0.1})"),
-              9.8e6, 1.5e6);
+              5.0e6, 1e6);
   EXPECT_NEAR(size(R"(, "fluid": "transient", "Re": 1, "until": {"kt": 0.3}, "fidelity": "fast",
                       "outputs": {"shapes_every": 0.1})"),
               50.1e6, 5e6);

@@ -129,6 +129,9 @@ TEST(ViscosityField, HasTheProfileOfTheDistanceToASphere) {
       if (std::abs(distance) < 1.9) {
         EXPECT_NEAR(viscosity.row(0, y, z)[x], profile(distance), 0.05);
       }
+      if (std::abs(distance) > 2.5) {
+        EXPECT_EQ(viscosity.row(0, y, z)[x], 5);
+      }
     }
   });
 }

@@ -177,6 +177,29 @@ TEST(LinkSweep, ShearFlowAcrossLayersOfAnyViscosityHasAUniformStress) {
   });
 }
 
+TEST(LinkSweep, UndisturbedFlowIsAMomentumThatGrowsWithY) {
+  Rows<double> with, without;
+  without.dx = 0;
+  for (int z = -1; z <= kSweptCells.hi[2]; ++z)
+    for (int y = -1; y <= kSweptCells.hi[1]; ++y)
+      for (int x = -1; x <= kSweptCells.hi[0]; ++x) without.m.row(kGx, y, z)[x] += with.dx * y;
+  with.residual();
+  without.residual();
+  EXPECT_LT(largest_distance(with.out, without.out), 1e-12);
+}
+
+TEST(LinkSweep, RelaxationDoesNotChangeASolution) {
+  Rows<double> s;
+  s.rate = 0.25, s.shear = 2, s.lift = 1;  // convection stronger than viscosity
+  s.residual();
+  s.for_each_row([&](int y, int z) {
+    for (int k = 0; k < int(kMoments); ++k)
+      for (int x = 0; x < kSweptCells.hi[0]; ++x) s.d.row(k, y, z)[x] -= s.out.row(k, y, z)[x];
+  });
+  s.relax(0.9);
+  EXPECT_LT(largest_distance(s.out, s.m), 1e-12);
+}
+
 TEST(LinkSweep, InSinglePrecisionIsTheSweepInDoublePrecisionRounded) {
   Rows<float> a;
   Rows<double> b;
