@@ -21,11 +21,12 @@ The viscosity has a jump that is smoothed in the fluidity and lies inside of the
 
     R(z) = 1/(H + (1 - H)/V) + excess (V - 1) b(z),      H: smoothed step of z - SHIFT,      b = 2 sin^2(pi z) for -1 < z < 0
 
-With the excess no stress along the membrane is missing compared with a sharp jump. If it is solved for, the slip of the outer fluid under a shear stress across the membrane depends little on the shift between
--0.5 and -0.25; with SHIFT it nearly vanishes up to V = 10. A tangential force F of the membrane is spread as F - div(s F n delta), and the velocity is read with the transpose of this;
-a normal force F_n is spread as F_n - div(2 t F_n n n delta). Here s cancels the slip that a tangential force causes, and t the spurious tension
-that a normal force causes. C is the kink that is left: a tangential force f makes the velocity that is read smaller by C f. The tension of a
-normal force is tied to the velocity n.u that is read under a strain that changes areas: this is minus twice the tension (solve() returns both).
+With the excess no stress along the membrane is missing compared with a sharp jump. If it is solved for, the slip of the outer fluid under a
+shear stress across the membrane depends little on the shift between -0.5 and -0.25; with SHIFT it nearly vanishes up to V = 10. A tangential
+force F of the membrane is spread as F - div(s F n delta), and the velocity is read with the transpose of this; a normal force F_n is spread as
+F_n - div(2 t F_n n n delta). Here s cancels the slip that a tangential force causes, and t the spurious tension that a normal force causes. C is
+the kink that is left: a tangential force f makes the velocity that is read smaller by C f. The tension of a normal force is tied to the velocity
+n.u that is read under a strain that changes areas: this is minus twice the tension.
 
 All of these are means over the surface of a sphere in shear flow, since what remains in single directions depends on the strain, too: over the
 directions of n, and over shear along each pair of axes of the grid. There the strain rate E of the flow gives a membrane across n the strain
@@ -310,7 +311,8 @@ def slips_under_strain(layers):
 
 def main():
     print("<!-- made by flat_membrane.py -->\n")
-    print("| V | excess | s | C | t | left: mean slip under shear stress | slip under change of areas | under shear | C | missing stress: change of areas | shear |")
+    print("| V | excess | s | C | t | left: mean slip under shear stress | slip under change of areas | under shear | C "
+          "| missing stress: change of areas | shear |")
     print("|---" * 11 + "|")
     _, C, _ = slip_and_kink(layers_of(1, 0))
     print(f"| 1 | 0 | 0 | {C:.4f} | 0 | | | | | | |", flush=True)
