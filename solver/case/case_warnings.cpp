@@ -42,8 +42,8 @@ std::string lattice_finer_than_mesh(const Case& c) {
 /// By which share D of a round capsule comes out too large. Measured for spheres, Ca = 0.05 and 0.2, kt = 6.
 /// Where the jump of the viscosity is smoothed over four cells: 8 % at V = 5 and 18 % at V = 10, dx = 0.2.
 /// On the composite grid at dx = 0.2: 3 % at V = 10, 8 to 17 % at V = 20, 14 to 39 % at V = 30, 22 to 68 % at
-/// V = 50 and 39 to 80 % at V = 100; at dx = 0.1 1 to 2, 3 to 4, 5 to 14 and 11 to 23 % from V = 20 on. For V
-/// < 1 the error does not depend on V.
+/// V = 50 and 39 to 80 % at V = 100; at dx = 0.1 1 to 2, 3 to 4, 5 to 14 and 11 to 23 % from V = 20 on. Below
+/// 1 the error does not depend on V.
 double deformation_error(const Case& c) {
   if (!c.has_grid() || c.V <= 1) return 0;
   const double dx = c.fidelity.dx;
