@@ -41,7 +41,7 @@ template <class Real>
 struct CompositeGrid {
   MomentGrid<Real> grid;
 
-  CompositeGrid(const std::array<int, 3>& cells, bool has_ratio) : grid(make_grid(cells, has_ratio)) {
+  CompositeGrid(const std::array<int, 3>& cells, bool has_ratio) : grid(make_grid(cells)) {
     if (!has_ratio) return;
     ScalarField ratio;
     ratio.reset(grid.box(), 4);
@@ -49,13 +49,13 @@ struct CompositeGrid {
   }
   void step() { grid.relax(); }
 
-  static MomentGrid<Real> make_grid(const std::array<int, 3>& cells, bool has_ratio) {
+  static MomentGrid<Real> make_grid(const std::array<int, 3>& cells) {
     constexpr double kDx = 0.1, kRe = 0.05;
     const auto [nx, ny, nz] = cells;
     const IndexBox box{{-nx / 2, 0, 0}, {nx / 2, ny, nz}};
     const IndexBox domain{{-nx, 0, 0}, {nx, 2 * ny, 2 * nz}};
     const Domain quarter{.cells = 2 * nx, .is_quarter = true, .is_uniform = false};
-    return MomentGrid<Real>(box, domain, quarter.rules(), kDx, kRe, has_ratio, {0.9, 0.75});
+    return MomentGrid<Real>(box, domain, quarter.rules(), kDx, kRe, {0.9, 0.75});
   }
 };
 

@@ -69,13 +69,15 @@ std::string advice_on_drawn_out_shapes(const Case& c) {
          ", or take the law skalak, which hardens.";
 }
 
+std::string advice_on_inner_inertia(const Case& c) {
+  return "In an inside this thin (V = " + rounded(c.V) + ") inertia is Re/V = " + rounded(c.Re / c.V) +
+         " times as large as viscosity, which makes the solution of the flow unstable: lower Re, or raise "
+         "V.";
+}
+
 /// An inner fluid of low viscosity hardly damps short waves of the membrane. Lattice models smooth these
-/// waves, but become unstable where inertia exceeds the inner viscosity by far.
+/// waves.
 std::string advice_on_inner_viscosity(const Case& c) {
-  if (is_too_thin_for_lattice(c))
-    return "In an inside this thin (V = " + rounded(c.V) + ") inertia is Re/V = " + rounded(c.Re / c.V) +
-           " times as large as viscosity, which makes the solution of the flow unstable: lower Re, or raise "
-           "V.";
   if (c.fluid != Fluid::stokes || !(c.V < 0.5)) return "";
   return "An inside this thin (V = " + rounded(c.V) +
          ") hardly damps the membrane: take the fluid quasisteady, raise V, or lower Ca.";
@@ -90,7 +92,7 @@ bool is_lost(const SurfaceQuality& surface) {
 std::string remedy(const Case& c, const SurfaceQuality& surface, bool of_motion) {
   const std::string of_fluid = advice_on_fluid(c), of_step = of_motion ? advice_on_time_step(c) : "";
   if (!of_fluid.empty()) return of_fluid;
-  if (of_motion && is_too_thin_for_lattice(c)) return advice_on_inner_viscosity(c);
+  if (of_motion && is_too_thin_for_lattice(c)) return advice_on_inner_inertia(c);
   if (of_motion && is_unstable(c)) return of_step;  // folds are a consequence of it
   std::string all;
   for (const std::string& one : {of_step, advice_on_folds(c, surface), advice_on_collapse(c, surface)})

@@ -209,11 +209,14 @@ def root_mean_square(of_classes):
     return np.sqrt(SHARES @ of_classes**2)
 
 
+def in_plane(E, n):
+    plane = IDENTITY - np.outer(n, n)
+    return plane @ E @ plane
+
+
 def strain_along(E, n):
     """The part of E in the plane of the membrane, and the stretching along n that keeps the volume."""
-    plane = IDENTITY - np.outer(n, n)
-    in_plane = plane @ E @ plane
-    return in_plane - np.trace(in_plane) * np.outer(n, n)
+    return in_plane(E, n) - np.trace(in_plane(E, n)) * np.outer(n, n)
 
 
 def along(E, n):
@@ -224,8 +227,7 @@ def along(E, n):
 def work_of_missing_stress(layer):
     """In cells of the inner fluid, times the square of the strain along the membrane."""
     n = layer.planes.n
-    plane = IDENTITY - np.outer(n, n)
-    return sum(np.sum(plane @ E @ plane * layer.solve(E=strain_along(E, n))[3]) for E in SHEARS) / (2 * (layer.V - 1))
+    return sum(np.sum(in_plane(E, n) * layer.solve(E=strain_along(E, n))[3]) for E in SHEARS) / (2 * (layer.V - 1))
 
 
 def excess_for(V):

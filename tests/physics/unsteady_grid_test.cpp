@@ -37,7 +37,7 @@ class UnsteadyBox {
     for (int level = 0; level < kLevels; ++level) {
       const int half = (cells >> level) / 2, along = 4 >> level;
       const IndexBox box{{-along, -half, -half}, {along, half, half}};
-      grids_.emplace_back(box, box, rules, dx_ * (1 << level), Re, false, std::array<double, 2>{0.9, 0.75});
+      grids_.emplace_back(box, box, rules, dx_ * (1 << level), Re, std::array<double, 2>{0.9, 0.75});
       grids_.back().add_momentum(1, on_cells(box, dx_ * (1 << level), start));
     }
   }

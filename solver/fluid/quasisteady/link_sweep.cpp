@@ -7,41 +7,21 @@
 #include <type_traits>
 #include <utility>
 
+#include "solver/fluid/lbm/d3q19.hpp"
 #include "solver/fluid/quasisteady/moment_sweep.hpp"
 #include "solver/grid/vector_units.hpp"
 
 namespace capstan {
 namespace {
 
-struct Link {
-  int x, y, z;
-  constexpr int square() const { return x * x + y * y + z * z; }
-  constexpr double weight() const { return square() == 1 ? 1. / 18 : 1. / 36; }
-};
-constexpr std::array<Link, 18> kLinks = {{{1, 0, 0},
-                                          {-1, 0, 0},
-                                          {0, 1, 0},
-                                          {0, -1, 0},
-                                          {0, 0, 1},
-                                          {0, 0, -1},
-                                          {1, 1, 0},
-                                          {-1, -1, 0},
-                                          {1, -1, 0},
-                                          {-1, 1, 0},
-                                          {1, 0, 1},
-                                          {-1, 0, -1},
-                                          {1, 0, -1},
-                                          {-1, 0, 1},
-                                          {0, 1, 1},
-                                          {0, -1, -1},
-                                          {0, 1, -1},
-                                          {0, -1, 1}}};
+/// The directions of the links, each followed by its opposite.
+constexpr std::array<int, 18> kLinks = {1, 2, 3, 4, 5, 6, 7, 10, 8, 9, 11, 14, 13, 12, 15, 18, 17, 16};
 
-/// Calls visit(integral_constant<int, n>) for n = 0 ... 17.
+/// Calls visit(integral_constant<int, q>) for the direction q of each link.
 template <class Visit>
 [[gnu::always_inline]] inline void for_each_link(Visit visit) {
   [&]<int... n>(std::integer_sequence<int, n...>) __attribute__((always_inline)) {
-    (visit(std::integral_constant<int, n>{}), ...);
+    (visit(std::integral_constant<int, kLinks[n]>{}), ...);
   }
   (std::make_integer_sequence<int, int(kLinks.size())>{});
 }
@@ -60,8 +40,8 @@ template <class T>
   const T *rho = row.m, *gx = rho + s.component, *gy = gx + s.component, *gz = gy + s.component;
   const T R = row.ratio[i], density = rho[i], x = gx[i], y = gy[i], z = gz[i];
   Sums<T> sums;
-  for_each_link([&](auto n) __attribute__((always_inline)) {
-    constexpr Link e = kLinks[n];
+  for_each_link([&](auto q) __attribute__((always_inline)) {
+    constexpr d3q19::Direction e = d3q19::e[q];
     const std::ptrdiff_t at = i - e.x - e.y * s.y - e.z * s.z;
     const T other = row.ratio[i - e.x - e.y * t.y - e.z * t.z];
     T approach = 0;  // e.(g' - g)
@@ -69,7 +49,7 @@ template <class T>
     if constexpr (e.y != 0) approach += T(e.y) * (gy[at] - y);
     if constexpr (e.z != 0) approach += T(e.z) * (gz[at] - z);
     if constexpr (e.x * e.y != 0) approach -= T(e.x * e.y) * row.dx;
-    const T k = T(2 * e.weight()) / (R + other);
+    const T k = T(2 * d3q19::weight(q)) / (R + other);
     const T sent = k * (other * (rho[at] + 3 * approach) - R * density);
     sums.mass += sent;
     if constexpr (e.x != 0) sums.x += T(e.x) * sent;

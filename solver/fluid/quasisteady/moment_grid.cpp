@@ -33,7 +33,7 @@ void add_vectors(double factor, const VectorField& vectors, RowField<T>& field) 
 
 template <class T>
 MomentGrid<T>::MomentGrid(const IndexBox& box, const IndexBox& domain, const SideRules& domain_rules,
-                          double dx, double Re, bool has_ratio, const std::array<double, 2>& relaxation)
+                          double dx, double Re, const std::array<double, 2>& relaxation)
     : domain_(domain),
       domain_rules_(domain_rules),
       dx_(dx),
@@ -42,9 +42,7 @@ MomentGrid<T>::MomentGrid(const IndexBox& box, const IndexBox& domain, const Sid
       rules_(rules_of(box)),
       state_{RowField<T>(box, kMoments), RowField<T>(box, kMoments)},
       defect_(box, kMoments),
-      scratch_{RowField<T>(box, kMoments), RowField<T>(box, kMoments)} {
-  if (has_ratio) ratio_.emplace(box, 1), has_ratio_.assign(std::size_t(box.size(1)) * box.size(2), false);
-}
+      scratch_{RowField<T>(box, kMoments), RowField<T>(box, kMoments)} {}
 
 template <class T>
 SideRules MomentGrid<T>::rules_of(const IndexBox& box) const {
@@ -67,8 +65,8 @@ FluidRow<T> MomentGrid<T>::fluid_row(int y, int z, std::optional<double> gamma) 
           .blend = T(gamma ? *gamma : 1),
           .g_keep = T(gamma ? 1 - *gamma : -1 - rate_),
           .g_blend = T(gamma ? *gamma / (1 + rate_) : 1),
-          .shear = T(inertia_ * (y + 0.5) * dx_ / 2),
-          .lift = T(inertia_ * dx_)};
+          .shear = T(shear(y)),
+          .lift = T(lift())};
 }
 
 template <class T>
@@ -82,8 +80,8 @@ LinkRow<T> MomentGrid<T>::link_row(int y, int z) {
           .count = box().size(0),
           .dx = T(dx_),
           .rate = T(rate_),
-          .shear = T(inertia_ * (y + 0.5) * dx_ / 2),
-          .lift = T(inertia_ * dx_)};
+          .shear = T(shear(y)),
+          .lift = T(lift())};
 }
 
 /// scratch_.next <- the moments after relaxation by gamma; without gamma, the residual. Every row is written
@@ -188,8 +186,9 @@ void MomentGrid<T>::interpolate_ghosts(const MomentGrid& coarse) {
 
 template <class T>
 void MomentGrid<T>::set_viscosity(const ScalarField& ratio) {
+  if (!ratio_) ratio_.emplace(box(), 1);
   std::ranges::fill(ratio_->data(), T(1));
-  std::ranges::fill(has_ratio_, false);
+  has_ratio_.assign(std::size_t(box().size(1)) * box().size(2), false);
   const int first = ratio.box().lo[0] - box().lo[0], count = ratio.box().size(0);
   const IndexBox rows{{0, box().lo[1], box().lo[2]}, {1, box().hi[1], box().hi[2]}};
   for_each_row_in_order(ratio.box(), [&](int y, int z) {
@@ -229,15 +228,14 @@ void MomentGrid<T>::add_carried(const VectorField& half) {
   const IndexBox& cells = half.box();
   const int first = cells.lo[0] - box().lo[0], count = cells.size(0);
   for_each_row_in_order(cells, [&](int y, int z) {
-    const double shear = inertia_ * (y + 0.5) * dx_ / 2, lift = inertia_ * dx_;
     for (int c = 0; c < 3; ++c) {
       const double* row = half.row(c, y, z);
       T* to = defect_.row(kGx + c, y, z) + first;
-      for (int i = 1; i + 1 < count; ++i) to[i] += T(shear * (row[i + 1] - row[i - 1]));
+      for (int i = 1; i + 1 < count; ++i) to[i] += T(shear(y) * (row[i + 1] - row[i - 1]));
     }
     const double* along_y = half.row(1, y, z);
     T* to = defect_.row(kGx, y, z) + first;
-    for (int i = 0; i < count; ++i) to[i] += T(lift * along_y[i]);
+    for (int i = 0; i < count; ++i) to[i] += T(lift() * along_y[i]);
   });
 }
 
@@ -287,7 +285,7 @@ void MomentGrid<T>::move_to(const IndexBox& box, MomentGrid& coarse) {
     std::swap(*fine, moved);
   }
   for (RowField<T>* field : {&scratch_.next, &defect_, &scratch_.start}) field->reset(box);
-  if (ratio_) ratio_->reset(box), has_ratio_.assign(std::size_t(box.size(1)) * box.size(2), false);
+  ratio_.reset();
 }
 
 template <class T>

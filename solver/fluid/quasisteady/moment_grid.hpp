@@ -26,10 +26,9 @@ class MomentGrid {
   ///                      interpolated
   /// \param domain_rules  rules of the sides of the domain
   /// \param dx            spacing / a
-  /// \param has_ratio     whether the viscosity differs from the ambient one anywhere
   /// \param relaxation    factors of alternate sweeps
   MomentGrid(const IndexBox& box, const IndexBox& domain, const SideRules& domain_rules, double dx, double Re,
-             bool has_ratio, const std::array<double, 2>& relaxation);
+             const std::array<double, 2>& relaxation);
 
   const IndexBox& box() const { return state_.now.box(); }
   /// Whether the grid covers the whole domain.
@@ -40,7 +39,8 @@ class MomentGrid {
   void restrict_to(MomentGrid& coarse);
   void correct_from(MomentGrid& coarse);
 
-  /// Ratio of the viscosity to the ambient one, in the cells of the field's box; 1 elsewhere.
+  /// Ratio of the viscosity to the ambient one, in the cells of the field's box; 1 elsewhere. To be called
+  /// again after move_to().
   void set_viscosity(const ScalarField& ratio);
 
   /// D <- 0.
@@ -85,6 +85,9 @@ class MomentGrid {
   std::size_t row_index(int y, int z) const {
     return std::size_t(z - box().lo[2]) * box().size(1) + std::size_t(y - box().lo[1]);
   }
+  /// The factors of (c) in moment_sweep.hpp.
+  double shear(int y) const { return inertia_ * (y + 0.5) * dx_ / 2; }
+  double lift() const { return inertia_ * dx_; }
   void add_carried(const VectorField& half);
   double density_weight(double weight) const;
   void take_defect(MomentGrid& fine);
@@ -116,7 +119,7 @@ class MomentGrid {
     RowField<T> next;   ///< result of a sweep: the next moments, or a residual
     RowField<T> start;  ///< first I m of the finer grid, then the change m - I m
   } scratch_;
-  std::optional<RowField<T>> ratio_;  ///< of the viscosity to the ambient one; none if it is 1 everywhere
+  std::optional<RowField<T>> ratio_;  ///< of the viscosity to the ambient one; none: 1 everywhere
   std::vector<char> has_ratio_;       ///< whether it differs from 1 in a row or the rows next to it
 };
 

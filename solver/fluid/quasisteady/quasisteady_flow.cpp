@@ -91,7 +91,7 @@ template <class T>
 void QuasisteadyFlow<T>::make_grids(const std::vector<IndexBox>& boxes) {
   for (int grid = 0; grid < int(boxes.size()); ++grid)
     grids_.emplace_back(boxes[grid], domain_.box(grid), domain_.rules(), options_.dx * (1 << grid),
-                        options_.Re, viscosity_.has_value(), kRelaxation);
+                        options_.Re, kRelaxation);
 }
 
 /// The initial condition of unsteady flow.

@@ -3,35 +3,28 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 #include "solver/fluid/lbm/d3q19.hpp"
 #include "solver/fluid/quasisteady/moment_sweep.hpp"
 #include "solver/grid/row_field.hpp"
+#include "tests/support/random_rows.hpp"
 
 namespace capstan {
 namespace {
 
 using d3q19::e;
 using d3q19::kQ;
+using d3q19::opposite;
 using d3q19::weight;
+using testing::largest_difference;
+using testing::random_rows;
 
 constexpr IndexBox kSweptCells{{0, 0, 0}, {21, 5, 4}};
 
-/// Random numbers, ghosts included.
-template <class T>
-RowField<T> random_numbers(int components, double low, double high, unsigned seed) {
-  RowField<T> field(kSweptCells, components);
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(low, high);
-  for (T& number : field.data()) number = T(uniform(generator));
-  return field;
-}
-
 template <class T>
 struct Rows {
-  RowField<T> m = random_numbers<T>(kMoments, -1, 1, 1), d = random_numbers<T>(kMoments, -1, 1, 2),
-              ratio = random_numbers<T>(1, 0.1, 10, 3), out{kSweptCells, kMoments};
+  RowField<T> m = random_rows<T>(kSweptCells, kMoments, 1), d = random_rows<T>(kSweptCells, kMoments, 2),
+              ratio = random_rows<T>(kSweptCells, 1, 3, T(0.1), 10), out{kSweptCells, kMoments};
   T dx = T(0.3), rate = 0, shear = 0, lift = 0;
 
   LinkRow<T> row(int y, int z) {
@@ -60,17 +53,6 @@ struct Rows {
   }
 };
 
-template <class T>
-double largest_distance(const RowField<T>& a, const RowField<T>& b) {
-  double largest = 0;
-  for (int z = 0; z < kSweptCells.hi[2]; ++z)
-    for (int y = 0; y < kSweptCells.hi[1]; ++y)
-      for (int k = 0; k < int(kMoments); ++k)
-        for (int x = 0; x < kSweptCells.hi[0]; ++x)
-          largest = std::max(largest, std::abs(double(a.row(k, y, z)[x]) - double(b.row(k, y, z)[x])));
-  return largest;
-}
-
 /// The part of a population that is not in equilibrium, of the one that arrives at (x, y, z) along e_q, by
 /// (a).
 double arrived(const Rows<double>& s, int q, int x, int y, int z) {
@@ -88,12 +70,6 @@ double equilibrium(const Rows<double>& s, int q, int x, int y, int z) {
          (s.ratio.row(0, y, z)[x] * m(kRho) + 3 * (e[q].x * m(kGx) + e[q].y * m(kGy) + e[q].z * m(kGz)));
 }
 
-int opposite(int q) {
-  for (int other = 0; other < kQ; ++other)
-    if (e[other].x == -e[q].x && e[other].y == -e[q].y && e[other].z == -e[q].z) return other;
-  return -1;
-}
-
 TEST(LinkSweep, ItsPopulationsAreThoseOfTheSteadyCollisionWithTwoRates) {
   const Rows<double> s;
   const int x = 7, y = 2, z = 1;
@@ -101,7 +77,7 @@ TEST(LinkSweep, ItsPopulationsAreThoseOfTheSteadyCollisionWithTwoRates) {
     const int from_x = x - e[q].x, from_y = y - e[q].y, from_z = z - e[q].z;
     const double R = s.ratio.row(0, from_y, from_z)[from_x], c = (R - 1) / (R + 1);
     const double sent =
-        equilibrium(s, q, from_x, from_y, from_z) + c * arrived(s, opposite(q), from_x, from_y, from_z);
+        equilibrium(s, q, from_x, from_y, from_z) + c * arrived(s, opposite[q], from_x, from_y, from_z);
     EXPECT_NEAR(equilibrium(s, q, x, y, z) + arrived(s, q, x, y, z), sent, 1e-13);
   }
 }
@@ -133,7 +109,7 @@ TEST(LinkSweep, InAmbientFluidIsTheSweepOfMoments) {
                                  s.shear, s.lift});
   });
   s.relax(kGamma);
-  EXPECT_LT(largest_distance(s.out, expected), 1e-13);
+  EXPECT_LT(largest_difference(s.out, expected), 1e-13);
 }
 
 TEST(LinkSweep, CellsExertOppositeForcesOnEachOtherAndExchangeMass) {
@@ -185,7 +161,7 @@ TEST(LinkSweep, UndisturbedFlowIsAMomentumThatGrowsWithY) {
       for (int x = -1; x <= kSweptCells.hi[0]; ++x) without.m.row(kGx, y, z)[x] += with.dx * y;
   with.residual();
   without.residual();
-  EXPECT_LT(largest_distance(with.out, without.out), 1e-12);
+  EXPECT_LT(largest_difference(with.out, without.out), 1e-12);
 }
 
 TEST(LinkSweep, RelaxationDoesNotChangeASolution) {
@@ -197,7 +173,7 @@ TEST(LinkSweep, RelaxationDoesNotChangeASolution) {
       for (int x = 0; x < kSweptCells.hi[0]; ++x) s.d.row(k, y, z)[x] -= s.out.row(k, y, z)[x];
   });
   s.relax(0.9);
-  EXPECT_LT(largest_distance(s.out, s.m), 1e-12);
+  EXPECT_LT(largest_difference(s.out, s.m), 1e-12);
 }
 
 TEST(LinkSweep, InSinglePrecisionIsTheSweepInDoublePrecisionRounded) {
@@ -210,7 +186,7 @@ TEST(LinkSweep, InSinglePrecisionIsTheSweepInDoublePrecisionRounded) {
   b.relax(0.9);
   RowField<double> rounded(kSweptCells, kMoments);
   std::ranges::copy(a.out.data(), rounded.data().begin());
-  EXPECT_LT(largest_distance(rounded, b.out), 1e-5);
+  EXPECT_LT(largest_difference(rounded, b.out), 1e-5);
 }
 
 }  // namespace

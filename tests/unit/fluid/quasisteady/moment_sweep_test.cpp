@@ -9,28 +9,23 @@
 #include "solver/fluid/paper/population_grid.hpp"
 #include "solver/grid/row_field.hpp"
 #include "tests/support/macroscopic.hpp"
+#include "tests/support/random_rows.hpp"
 
 namespace capstan {
 namespace {
 
+using testing::largest_difference;
 using testing::macroscopic;
 using testing::Macroscopic;
+using testing::random_rows;
 
 constexpr IndexBox kCells{{0, 0, 0}, {21, 5, 4}};
-
-template <class T>
-RowField<T> random_field(int components, unsigned seed) {
-  RowField<T> field(kCells, components);
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<T> uniform(-1, 1);
-  for (T& number : field.data()) number = uniform(generator);
-  return field;
-}
 
 /// Random moments, and their values after one sweep over all cells.
 template <class T>
 struct Sweep {
-  RowField<T> m = random_field<T>(kMoments, 1), d = random_field<T>(kMoments, 2), out{kCells, kMoments};
+  RowField<T> m = random_rows<T>(kCells, kMoments, 1), d = random_rows<T>(kCells, kMoments, 2),
+              out{kCells, kMoments};
 
   void fluid(T keep, T blend) {
     for (int z = 0; z < kCells.hi[2]; ++z)
@@ -39,17 +34,6 @@ struct Sweep {
                                 keep, blend, keep, blend});
   }
 };
-
-template <class T>
-double largest_difference(const RowField<T>& a, const RowField<T>& b) {
-  double largest = 0;
-  for (int z = 0; z < kCells.hi[2]; ++z)
-    for (int y = 0; y < kCells.hi[1]; ++y)
-      for (int k = 0; k < a.components(); ++k)
-        for (int x = 0; x < kCells.hi[0]; ++x)
-          largest = std::max(largest, std::abs(double(a.row(k, y, z)[x]) - double(b.row(k, y, z)[x])));
-  return largest;
-}
 
 TEST(MomentSweep, InSinglePrecisionIsTheSweepInDoublePrecisionRounded) {
   Sweep<float> a;
