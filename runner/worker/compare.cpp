@@ -53,8 +53,7 @@ Case with_fluid(const Case& c, const char* fluid, double Re, const nlohmann::jso
 Case in_stokes_flow(const Case& c) { return with_fluid(c, "stokes", 0, {{"nodes", c.fidelity.nodes}}); }
 
 Case on_lattice(const Case& c, const LatticeSize& lattice) {
-  constexpr double kSmallRe = 0.05;  // for a case with Re = 0: the lattice needs Re > 0
-  Case result = with_fluid(c, "quasisteady", c.Re > 0 ? c.Re : kSmallRe,
+  Case result = with_fluid(c, "quasisteady", c.Re,
                            {{"nodes", c.fidelity.nodes}, {"dx", lattice.dx}, {"box", lattice.box}});
   result.fidelity.kdt = std::min(result.fidelity.kdt, kMaxStep);
   return result;

@@ -75,7 +75,7 @@ struct Case {
   std::vector<double> law_constants;            ///< in the order of law->constants
   double Ca = 0;   ///< mu_a a k / E_s (eq. 1); each strain law defines its modulus E_s
   double V = 1;    ///< viscosity ratio, inner over outer (eq. 3)
-  double Re = 0;   ///< rho k a^2 / mu_a (eq. 4); 0 for fluid stokes
+  double Re = 0;   ///< rho k a^2 / mu_a (eq. 4); 0 for the fluid stokes, and quasisteady may have 0
   double E_b = 0;  ///< E_B / (a^2 E_s) (eq. 2)
   BendingModel bending = BendingModel::variational;
   SpontaneousCurvature c0 = InitialCurvature{};
@@ -100,6 +100,9 @@ struct Case {
   bool has_composite_grid() const {
     return fluid == Fluid::unsteady || (fluid == Fluid::quasisteady && fidelity.scheme == Scheme::tuned);
   }
+  /// Whether the model has a lattice that goes forward in time or the scheme of the paper, so that Re cannot
+  /// be 0.
+  bool needs_inertia() const { return has_grid() && !(fluid == Fluid::quasisteady && has_composite_grid()); }
   /// Whether the numbers on the lattice can be in single or double precision.
   bool has_precision() const { return fluid == Fluid::transient || has_composite_grid(); }
   /// Whether the model can solve for a quarter of a symmetric flow.

@@ -78,13 +78,18 @@ void CaseReader::read_parameter(const Parameter& parameter) {
 /// Chooses the flow model where the file leaves the choice to the solver, and checks Re against the model.
 void CaseReader::settle_fluid() {
   const json asked = document_.value("fluid", json("auto"));
-  const FluidChoice choice = choose_fluid(case_.Re, document_.value("fidelity", json()));
+  const json fidelity = document_.value("fidelity", json());
+  const FluidChoice choice = choose_fluid(case_.Re, fidelity);
   if (!has_fluid_) case_.fluid = choice.fluid;
   if (asked == "auto") choices_.push_back({"fluid", asked, to_string(case_.fluid), choice.reason});
-  if (!case_.has_grid())
-    leave_out_inertia();
+  if (!case_.has_grid()) return leave_out_inertia();
+  if (!needs_inertia(case_.fluid, fidelity)) return;
+  if (!document_.contains("Re"))
+    case_.Re = kPaperRe;
   else if (case_.Re == 0)
-    add_issue("/Re", "is 0, which a lattice cannot have; give Re > 0, or leave out what asks for a lattice");
+    add_issue(
+        "/Re",
+        "is 0, and this flow model needs inertia; give Re > 0, or take the fluid quasisteady or stokes");
 }
 
 void CaseReader::leave_out_inertia() {
@@ -119,15 +124,19 @@ void CaseReader::choose_latest_end() {
 void CaseReader::read_fidelity() {
   case_.fidelity = settings_for(case_, *find_preset("standard"));
   const auto fidelity = document_.find("fidelity");
-  if (fidelity != document_.end() && !fidelity->is_object()) {
+  if (fidelity == document_.end()) {
+    case_.fidelity.box = usual_box(case_);
+  } else if (!fidelity->is_object()) {
     start_from_preset("/fidelity", *fidelity);
-  } else if (fidelity != document_.end()) {
+    case_.fidelity.box = usual_box(case_);
+  } else {
     if (const auto preset = fidelity->find("preset"); preset != fidelity->end())
       start_from_preset("/fidelity/preset", *preset);
     const double spacing = case_.fidelity.dx;
     for (const Parameter& parameter : parameters())
       if (parameter.group == "fidelity") read_parameter(parameter);
     if (!fidelity->contains("tolerance")) adapt_tolerance(case_, spacing);
+    if (!fidelity->contains("box")) case_.fidelity.box = usual_box(case_);
     check_unknown_keys("/fidelity", *fidelity, keys_of_group("fidelity"));
   }
   if (case_.fidelity.error > 0 && has_ladder(case_))

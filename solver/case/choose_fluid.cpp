@@ -5,6 +5,11 @@
 namespace capstan {
 namespace {
 
+bool is_papers(const nlohmann::json& fidelity) {
+  if (!fidelity.is_object()) return fidelity == "paper";
+  return fidelity.value("scheme", nlohmann::json(fidelity.value("preset", nlohmann::json()))) == "paper";
+}
+
 /// A setting in the case file that only a lattice has, e.g. "fidelity/dx"; "" if there is none. The time step
 /// kdt counts as one, because with boundary integrals the stepper chooses the time step.
 std::string lattice_setting(const nlohmann::json& fidelity) {
@@ -16,6 +21,11 @@ std::string lattice_setting(const nlohmann::json& fidelity) {
 }
 
 }  // namespace
+
+bool needs_inertia(Fluid fluid, const nlohmann::json& fidelity) {
+  return fluid == Fluid::unsteady || fluid == Fluid::transient ||
+         (fluid == Fluid::quasisteady && is_papers(fidelity));
+}
 
 Fluid lattice_for(double Re) { return Re < 0.1 ? Fluid::quasisteady : Fluid::unsteady; }
 

@@ -21,6 +21,13 @@ struct FluidChoice {
 /// \param fidelity  value of that key in the case file; null if it is not given
 FluidChoice choose_fluid(double Re, const nlohmann::json& fidelity);
 
+/// The Reynolds number of the paper's simulations, for a case that gives none and needs inertia.
+inline constexpr double kPaperRe = 0.05;
+
+/// Whether a lattice model cannot have Re = 0: those that go forward in time, and the scheme of the paper.
+/// \param fidelity  value of that key in the case file; null if it is not given
+bool needs_inertia(Fluid fluid, const nlohmann::json& fidelity);
+
 /// The lattice model for a Reynolds number: quasisteady below 0.1, else unsteady. Without the time derivative
 /// Q = D_xy (cos 2 theta, sin 2 theta) is wrong by up to 0.07 Re (studies/fig10). At Re = 0.1 this is the
 /// error of the lattice at fidelity fast.

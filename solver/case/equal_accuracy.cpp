@@ -65,9 +65,7 @@ Case by_boundary_integrals(Case c, const Resolution& resolution) {
 }
 
 Case on_lattice(Case c, const Resolution& resolution) {
-  constexpr double kDefaultRe = 0.05;
-  c.Re = kDefaultRe;
-  c.fluid = lattice_for(c.Re);
+  c.fluid = Fluid::quasisteady;
   c.fidelity = {.dx = resolution.dx, .nodes = resolution.nodes, .tolerance = usual_tolerance(resolution.dx)};
   choose_time_step(c);
   return c;

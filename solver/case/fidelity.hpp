@@ -43,7 +43,7 @@ struct Fidelity {
   double error = 0;   ///< largest error of Q = D_xy (cos 2 theta, sin 2 theta) that the run may have: it then
                       ///< climbs the ladder of resolutions (ladder.hpp); 0: a run with the settings below
   double dx = 0.1;    ///< lattice spacing / a
-  double box = 12.8;  ///< edge of the cubic domain / a
+  double box = 25.6;  ///< edge of the cubic domain / a
   int nodes = 2562;   ///< membrane vertices: one of kIcosphereNodes
   Stepper stepper = Stepper::adams_bashforth;
   double kdt = 0.02;        ///< time step k*dt of the membrane; 0 where the stepper chooses

@@ -24,6 +24,8 @@ std::string issue_of_grid(const Case& c) {
   return "";
 }
 
+double usual_box(const Case& c) { return c.has_composite_grid() ? 25.6 : 12.8; }
+
 double uniform_cells(const Case& c) { return std::pow(c.fidelity.box / c.fidelity.dx, 3); }
 
 double composite_cells(const Case& c) {

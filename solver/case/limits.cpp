@@ -114,10 +114,10 @@ void check_transient(const Case& c, Issues& issues) {
 }
 
 void check_grid_fits(const Case& c, Issues& issues) {
-  if (c.Re < kMinReynolds)
-    issues.push_back({"/Re", "is " + rounded(c.Re) + ", and a lattice needs at least " +
-                                 rounded(kMinReynolds) +
-                                 ": raise it, or take the fluid stokes, which has no inertia"});
+  if (c.needs_inertia() && c.Re < kMinReynolds)
+    issues.push_back(
+        {"/Re", "is " + rounded(c.Re) + ", and this flow model needs at least " + rounded(kMinReynolds) +
+                    ": raise it, or take the fluid quasisteady or stokes, which can do without inertia"});
   if (c.fidelity.box < min_box(c))
     issues.push_back({"/fidelity/box",
                       "is " + rounded(c.fidelity.box) + ", and the capsule, drawn out to a length of " +

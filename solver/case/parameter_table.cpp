@@ -111,8 +111,8 @@ std::vector<Parameter> number_parameters() {
        .value = number({0, 10}, &Case::Re),
        .conditions = {needs_inertia()},
        .description =
-           "Reynolds number: rho k a^2 / mu_a. Above 0 with a lattice; at most 0.1, and without effect, "
-           "with the fluid stokes."},
+           "Reynolds number: rho k a^2 / mu_a. By default 0; 0.05 with unsteady, transient and the scheme of "
+           "the paper, which need inertia. At most 0.1, and without effect, with the fluid stokes."},
       {.key = "E_b",
        .value = number({0, 10}, &Case::E_b),
        .description = "Bending stiffness E_B / (a^2 E_s)."},
@@ -189,7 +189,8 @@ std::vector<Parameter> resolution_parameters() {
       {.key = "box",
        .value = number({4, 100}, &Case::fidelity, &Fidelity::box),
        .conditions = {needs_grid()},
-       .description = "Edge of the cubic domain."},
+       .description = "Edge of the cubic domain. By default 25.6; 12.8 with transient and the scheme of the "
+                      "paper."},
       {.key = "nodes",
        .value = nodes(),
        .conditions = {needs_fixed_settings()},

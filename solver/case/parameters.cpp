@@ -33,11 +33,7 @@ const std::vector<std::string_view>& case_keys() {
   return keys;
 }
 
-Case default_case() {
-  Case c;
-  c.Re = 0.05;
-  return c;
-}
+Case default_case() { return {}; }
 
 nlohmann::ordered_json to_json(const Case& c) {
   nlohmann::ordered_json document;

@@ -241,7 +241,7 @@ TEST(ParseCase, KeepsWhatWasAskedWhatWasChosenAndWhy) {
   EXPECT_EQ(choices[0].key, "fluid");
   EXPECT_EQ(choices[0].asked, "auto");
   EXPECT_EQ(choices[0].chosen, "stokes");
-  EXPECT_THAT(choices[0].reason, HasSubstr("neither inertia (Re = 0.05) nor walls"));
+  EXPECT_THAT(choices[0].reason, HasSubstr("neither inertia (Re = 0) nor walls"));
   EXPECT_THAT(in_words(choices[0]), HasSubstr("fluid: auto became stokes: "));
   const ParsedCase lattice = parse_case({{"Ca", 0.1}, {"fidelity", {{"preset", "fast"}, {"dx", 0.4}}}});
   EXPECT_THAT(lattice.choices.at(0).reason, HasSubstr("fidelity/dx"));
@@ -265,10 +265,37 @@ TEST(ParseCase, StokesFlowHasNeitherInertiaNorGrid) {
   EXPECT_EQ(case_id(valid({{"Ca", 0.1}, {"fluid", "stokes"}, {"Re", 0.1}})),
             case_id(valid({{"Ca", 0.1}, {"fluid", "stokes"}, {"Re", 0}})));
   EXPECT_THAT(pointers_of_issues({{"Ca", 0.1}, {"fluid", "stokes"}, {"Re", 0.2}}), ElementsAre("/Re"));
-  EXPECT_THAT(pointers_of_issues({{"Ca", 0.1}, {"Re", 0}, {"fluid", "quasisteady"}}), ElementsAre("/Re"));
   EXPECT_THAT(
       pointers_of_issues({{"Ca", 0.1}, {"fluid", "stokes"}, {"fidelity", {{"dx", 0.1}, {"box", 12.8}}}}),
       UnorderedElementsAre("/fidelity/dx", "/fidelity/box"));
+}
+
+TEST(ParseCase, ModelsThatNeedInertiaHaveThatOfThePaperAndOthersNone) {
+  for (const char* fluid : {"stokes", "quasisteady"})
+    EXPECT_EQ(valid({{"Ca", 0.1}, {"fluid", fluid}}).Re, 0) << fluid;
+  for (const json& model :
+       {json{{"fluid", "unsteady"}}, json{{"fluid", "transient"}}, json{{"fidelity", "paper"}},
+        json{{"fidelity", {{"preset", "paper"}, {"dx", 0.2}}}},
+        json{{"fluid", "quasisteady"}, {"fidelity", {{"scheme", "paper"}}}}}) {
+    json file = {{"Ca", 0.1}, {"fidelity", "fast"}};
+    file.update(model);
+    EXPECT_EQ(valid(file).Re, 0.05) << file;
+    file["Re"] = 0;
+    EXPECT_THAT(pointers_of_issues(file), ElementsAre("/Re")) << file;
+  }
+}
+
+TEST(ParseCase, DomainIsWideOnACompositeGridAndThatOfThePaperElsewhere) {
+  const auto box = [](json file) {
+    file["Ca"] = 0.1;
+    return valid(file).fidelity.box;
+  };
+  EXPECT_EQ(box({{"fluid", "quasisteady"}}), 25.6);
+  EXPECT_EQ(box({{"fluid", "unsteady"}, {"fidelity", "fast"}}), 25.6);
+  EXPECT_EQ(box({{"fluid", "transient"}, {"fidelity", {{"dx", 0.2}}}}), 12.8);
+  EXPECT_EQ(box({{"fidelity", "paper"}}), 12.8);
+  EXPECT_EQ(box({{"fluid", "quasisteady"}, {"fidelity", {{"dx", 0.2}, {"scheme", "paper"}}}}), 12.8);
+  EXPECT_EQ(box({{"fluid", "quasisteady"}, {"fidelity", {{"dx", 0.2}, {"box", 6.4}}}}), 6.4);
 }
 
 TEST(ParseCase, StepperThatChoosesItsStepsTakesNone) {
@@ -342,7 +369,7 @@ TEST(CanonicalCase, WritesOutEveryDefault) {
 
 TEST(CaseId, IsSharedByEqualCasesHoweverTheyAreWritten) {
   const Case written = valid(json::parse(R"({"Ca": 0.40, "V": 4.0e0, "law": "skalak", "C": 5.0, "E_b": 15e-3,
-      "shape": "biconcave", "c0": "initial", "fluid": "quasisteady", "fidelity": "standard"})"));
+      "shape": "biconcave", "c0": "initial", "fluid": "quasisteady", "Re": 5e-2, "fidelity": "standard"})"));
   EXPECT_EQ(case_id(written), case_id(valid(kRedBloodCell)));
 }
 

@@ -96,7 +96,7 @@ TEST(FullTable, HasRequestedAndResolvedParametersAndResults) {
            {"asked.fidelity", "fast"},
            {"fidelity.nodes", 642},
            {"fidelity.dx", 0.2},
-           {"fidelity.box", 12.8},
+           {"fidelity.box", 25.6},
            {"until.kt", 30.0},
            {"until.classified", false},
            {"stop", "reached_end"},

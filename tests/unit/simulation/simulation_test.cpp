@@ -202,7 +202,7 @@ TEST(Result, OfASmoothSurfaceHasNoWarning) {
 // Measured: folded from kt = 3.4 on, triangles lie on each other from 7.5 on.
 TEST(Result, OfACrumpledSphereWarnsAndHasNoLabel) {
   const auto result = result_of(parsed_case(R"({"Ca": 0.6426, "Re": 0.02579, "fluid": "quasisteady",
-    "fidelity": "fast", "until": {"kt": 20}, "outputs": {"shapes_every": 0}})"));
+    "fidelity": {"preset": "fast", "box": 12.8}, "until": {"kt": 20}, "outputs": {"shapes_every": 0}})"));
   const auto surface = result["trust"]["surface"];
   EXPECT_GT(surface["largest_dihedral"], 135);
   EXPECT_GT(surface["folded_edges"], 0.005);
