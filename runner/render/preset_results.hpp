@@ -9,7 +9,7 @@ namespace capstan {
 inline constexpr std::string_view kPresetScene =
     "red cell (Skalak, C = 5, E_b = 0.015), Ca = 0.25, V = 4, to kt = 10; distance of Q from boundary "
     "integrals "
-    "at standard; the lattice has walls 12.8 apart and Re = 0.05";
+    "at standard; the lattice has walls 25.6 apart";
 
 struct PresetResult {
   std::string_view preset, fluid;
@@ -19,9 +19,9 @@ struct PresetResult {
 
 inline constexpr auto kPresetResults = std::to_array<PresetResult>({
     {"fast", "stokes", 0.11, 0.004},
-    {"standard", "stokes", 2, std::nullopt},
-    {"fast", "quasisteady", 0.7, 0.065},
-    {"standard", "quasisteady", 2.9, 0.053},
+    {"standard", "stokes", 1.5, std::nullopt},
+    {"fast", "quasisteady", 0.37, 0.017},
+    {"standard", "quasisteady", 0.94, 0.014},
 });
 
 }  // namespace capstan

@@ -41,18 +41,17 @@ std::string lattice_finer_than_mesh(const Case& c) {
 
 /// By which share D of a round capsule comes out too large. Measured for spheres, Ca = 0.05 and 0.2, kt = 6.
 /// Where the jump of the viscosity is smoothed over four cells: 8 % at V = 5 and 18 % at V = 10, dx = 0.2.
-/// On the composite grid at dx = 0.2: 3 % at V = 10, 8 to 17 % at V = 20, 14 to 39 % at V = 30, 22 to 68 % at
-/// V = 50 and 39 to 80 % at V = 100; at dx = 0.1 1 to 2, 3 to 4, 5 to 14 and 11 to 23 % from V = 20 on. Below
-/// 1 the error does not depend on V.
+/// On the composite grid at dx = 0.4: 1 % at V = 10, 8 % at V = 20, up to 12 % at V = 30, 18 % at V = 50 and
+/// 22 % at V = 100; at dx = 0.2 within 2 % up to V = 100. Below 1 the error does not depend on V.
 double deformation_error(const Case& c) {
   if (!c.has_grid() || c.V <= 1) return 0;
   const double dx = c.fidelity.dx;
-  return c.has_composite_grid() ? std::clamp(0.4 * (c.V - 10) * dx * dx, 0., 0.8) : 0.09 * c.V * dx;
+  return c.has_composite_grid() ? std::clamp(0.3 * (c.V - 10) * std::pow(dx, 4), 0., 0.22) : 0.09 * c.V * dx;
 }
 
 std::string viscosity_on_coarse_lattice(const Case& c) {
   constexpr double kMaxError = 0.1, kFinest = 0.05;
-  const double error = deformation_error(c), order = c.has_composite_grid() ? 2 : 1;
+  const double error = deformation_error(c), order = c.has_composite_grid() ? 4 : 1;
   if (error < kMaxError) return "";
   const double fine_enough = c.fidelity.dx * std::pow(kMaxError / error, 1 / order);
   return "V = " + rounded(c.V) + " on a lattice of dx = " + rounded(c.fidelity.dx) +

@@ -8,7 +8,7 @@
 namespace capstan {
 
 /// Increased whenever the solver's results change for the same case.
-inline constexpr int kNumericsVersion = 12;
+inline constexpr int kNumericsVersion = 13;
 
 /// A case as it is stored. Equal cases have equal documents.
 struct CanonicalCase {

@@ -9,23 +9,35 @@
 namespace capstan {
 namespace {
 
-constexpr double kHalfWidth = 0.5, kShift = -0.3;  // of the jump, in cells
-
-struct Layer {
-  double V, excess, slip, C, tension;
+/// 1 + cos: of integral 1.
+struct Bump {
+  double centre, width;  ///< in cells
+  double operator()(double z) const {
+    const double s = (z - centre) / width;
+    return std::abs(s) < 0.5 ? 2 / width * std::pow(std::cos(std::numbers::pi * s), 2) : 0;
+  }
 };
 
-// From studies/flat_membrane/results.md. At V = 1 the excess has no effect, and is that of V = 1.5.
-constexpr Layer kLayers[] = {{1, 0.4270, 0, 0.1279, 0},
-                             {1.5, 0.4270, -0.0495, 0.1072, -0.0067},
-                             {2, 0.5256, -0.0858, 0.0911, -0.0114},
-                             {3, 0.6644, -0.1360, 0.0676, -0.0173},
-                             {4, 0.7557, -0.1691, 0.0516, -0.0207},
-                             {5, 0.8202, -0.1925, 0.0401, -0.0229},
-                             {7, 0.9057, -0.2236, 0.0248, -0.0255},
-                             {10, 0.9811, -0.2511, 0.0113, -0.0276},
-                             {20, 1.0903, -0.2908, -0.0077, -0.0301},
-                             {50, 1.1818, -0.3237, -0.0223, -0.0318}};
+constexpr double kHalfWidth = 0.6, kShift = 0.1;  // of the jump, in cells
+constexpr Bump kViscousBump{-0.5, 1.3}, kFluidBump{1, 2};
+/// Of the two excesses with curvature.
+constexpr double kGrowth = 2;
+
+struct Layer {
+  double V, viscosity, fluidity, slip, C, tension;
+};
+
+// From studies/flat_membrane/results.md. At V = 1 the excesses have no effect, and are those of V = 1.5.
+constexpr Layer kLayers[] = {{1, 0.0948, 0.1920, 0, 0.1279, 0},
+                             {1.5, 0.0948, 0.1920, -0.0360, 0.0966, -0.0052},
+                             {2, 0.1200, 0.2089, -0.0579, 0.0774, -0.0086},
+                             {3, 0.1609, 0.2305, -0.0843, 0.0548, -0.0130},
+                             {4, 0.1923, 0.2445, -0.1001, 0.0416, -0.0156},
+                             {5, 0.2175, 0.2548, -0.1106, 0.0328, -0.0173},
+                             {7, 0.2555, 0.2697, -0.1237, 0.0218, -0.0195},
+                             {10, 0.2949, 0.2849, -0.1339, 0.0126, -0.0214},
+                             {20, 0.3654, 0.3133, -0.1439, 0.0008, -0.0238},
+                             {50, 0.4431, 0.3477, -0.1426, -0.0069, -0.0255}};
 
 /// The constants are interpolated in this number, which is 0 for V = 1 and tends to 1.
 double contrast(double V) { return (V - 1) / (V + 1); }
@@ -41,14 +53,20 @@ Layer layer_at(double V) {
   const Layer &a = *std::prev(upper), &b = *upper;
   const double weight = (contrast(V) - contrast(a.V)) / (contrast(b.V) - contrast(a.V));
   const auto between = [&](double Layer::*number) { return std::lerp(a.*number, b.*number, weight); };
-  return {V, between(&Layer::excess), between(&Layer::slip), between(&Layer::C), between(&Layer::tension)};
+  return {V,
+          between(&Layer::viscosity),
+          between(&Layer::fluidity),
+          between(&Layer::slip),
+          between(&Layer::C),
+          between(&Layer::tension)};
 }
 
-double viscosity_at(double z, const Layer& layer) {
+double viscosity_at(double z, double curvature, const Layer& layer) {
   if (std::abs(z) >= kLayerReach) return z > 0 ? 1 : layer.V;
-  const double H = smoothed_heaviside(z - kShift, kHalfWidth);
-  const double next_to_membrane = z > -1 && z < 0 ? 2 * std::pow(std::sin(std::numbers::pi * z), 2) : 0;
-  return 1 / (H + (1 - H) / layer.V) + layer.excess * (layer.V - 1) * next_to_membrane;
+  const double V = layer.V, growth = std::exp(kGrowth * curvature * z);
+  const double viscous = std::pow(V, 1 - smoothed_heaviside(z - kShift, kHalfWidth)) +
+                         layer.viscosity * (V - 1) * growth * kViscousBump(z);
+  return 1 / (1 / viscous + layer.fluidity * (1 - 1 / V) * growth * kFluidBump(z));
 }
 
 /// (sin(k/2) / (k/2))^4
@@ -79,9 +97,10 @@ double mean_psi() {
 }  // namespace
 
 ViscosityProfile layer_viscosity(double V) {
-  if (V >= 1) return [layer = layer_at(V)](double z) { return viscosity_at(z, layer); };
-  return [V, layer = layer_at(1 / V)](double z) {
-    return std::abs(z) < kLayerReach ? V * viscosity_at(-z, layer) : z > 0 ? 1 : V;
+  if (V >= 1)
+    return [layer = layer_at(V)](double z, double curvature) { return viscosity_at(z, curvature, layer); };
+  return [V, layer = layer_at(1 / V)](double z, double curvature) {
+    return std::abs(z) < kLayerReach ? V * viscosity_at(-z, -curvature, layer) : z > 0 ? 1 : V;
   };
 }
 

@@ -19,7 +19,7 @@ double smoothed_heaviside(double distance_in_cells, double half_width) {
 }
 
 ViscosityProfile smoothed_jump(double inner, double ambient) {
-  return [=](double distance) {
+  return [=](double distance, double) {
     return inner + (ambient - inner) * smoothed_heaviside(distance, kPaperHalfWidth);
   };
 }
@@ -33,7 +33,7 @@ ViscosityField::ViscosityField(const GridGeometry& grid, const TriangleMesh& mes
 void ViscosityField::update(const Points& positions, const ViscosityProfile& profile,
                             ScalarField& viscosity) {
   constexpr double kFar = 100;  // cells
-  const double outside = profile(kFar), inside = profile(-kFar);
+  const double outside = profile(kFar, 0), inside = profile(-kFar, 0);
   const IndexBox& box = viscosity.box();
   measure_surface(positions);
   nearest_.find((positions.colwise() - grid_.origin) / grid_.dx, reach_, box);
@@ -44,9 +44,10 @@ void ViscosityField::update(const Points& positions, const ViscosityProfile& pro
     for (int i = 0; i < box.size(0); ++i) {
       row[i] = beyond;
       if (nearest[i] == NearestVertices::kNone) continue;
+      const int vertex = nearest[i];
       const Vec3 centre = grid_.origin + grid_.dx * Vec3(box.lo[0] + i, y, z);
-      const double distance = signed_distance(centre - positions.col(nearest[i]), nearest[i]) / grid_.dx;
-      row[i] = profile(distance);
+      const double distance = signed_distance(centre - positions.col(vertex), vertex) / grid_.dx;
+      row[i] = profile(distance, curvature_[vertex] * grid_.dx);
       beyond = distance > 0 ? outside : inside;
     }
   });

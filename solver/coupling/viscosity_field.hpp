@@ -16,8 +16,9 @@ inline constexpr double kPaperHalfWidth = 2;
 /// Smoothed Heaviside function of the signed distance in cells (eq. 41): 0 below -half_width, 1 above.
 double smoothed_heaviside(double distance_in_cells, double half_width);
 
-/// A viscosity as a function of the signed distance to the membrane in cells, positive outside.
-using ViscosityProfile = std::function<double(double)>;
+/// A viscosity as a function of the signed distance to the membrane in cells, positive outside, and of its
+/// mean curvature in 1/cells, positive on a sphere.
+using ViscosityProfile = std::function<double(double distance, double curvature)>;
 
 /// The paper's profile (eqs. 40, 41): inner + (ambient - inner) H(d), smoothed over two cells on either side.
 ViscosityProfile smoothed_jump(double inner, double ambient);
@@ -27,8 +28,8 @@ class ViscosityField {
   /// \param orbits  the symmetry of the surface, which all positions passed to update() must have
   ViscosityField(const GridGeometry& grid, const TriangleMesh& mesh, Orbits orbits);
 
-  /// viscosity = profile(d / dx) in the cells of the field's box, which must contain the capsule; d is the
-  /// signed distance to the membrane. Farther than two cells from it the profile must be constant.
+  /// viscosity = profile(d / dx, kappa dx) in the cells of the field's box, which must contain the capsule; d
+  /// is the signed distance to the membrane. Farther than two cells from it the profile must be constant.
   /// \param positions  3 x #V
   void update(const Points& positions, const ViscosityProfile& profile, ScalarField& viscosity);
 

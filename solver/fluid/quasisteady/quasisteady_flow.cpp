@@ -19,13 +19,12 @@ constexpr std::array<double, 2> kRelaxation = {0.9, 0.75};
 constexpr int kMaxCycles = 100;
 // Bounds of the estimated contraction factor of a cycle: at least 0.2 is assumed, and at most 0.95.
 constexpr double kMinContraction = 0.2, kMaxContraction = 0.95;
-// A W-cycle, except that each of the two coarsest grids is visited once: a second visit would take more time
-// than it saves. Where the viscosities differ much there are twice as many sweeps: with two, errors grow from
-// step to step at V = 0.05, and a red cell of V = 10 needs three times as many cycles.
+// A W-cycle, except that each of the three coarsest grids is visited once: a second visit would take more
+// time than it saves. In thin fluid there are twice as many sweeps: with two, errors grow from step to step
+// at V = 0.05. With four, they grow around a red cell of V = 4 and more.
 CycleShape cycle_shape(double V) {
-  constexpr double kThin = 0.15, kViscous = 6;
-  return {
-      .pre = 0, .post = V < kThin || V > kViscous ? 4 : 2, .visits = 2, .single_visits = 2, .coarsest = 10};
+  constexpr double kThin = 0.25;
+  return {.pre = 0, .post = V < kThin ? 4 : 2, .visits = 2, .single_visits = 3, .coarsest = 10};
 }
 
 // A membrane that becomes unstable would change its volume, if that was not kept.

@@ -44,15 +44,15 @@ TEST(CaseWarnings, ALatticeFinerThanTheMeshSaysWhatToChange) {
 }
 
 TEST(CaseWarnings, AViscousInsideOnACoarseLatticeSaysHowFarOffAndWhatToUse) {
-  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 30, "fidelity": "fast")"),
-              ElementsAre(AllOf(HasSubstr("V = 30"), HasSubstr("32 %"), HasSubstr("\"fluid\": \"stokes\""),
-                                HasSubstr("dx of at most 0.112")),
+  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 30, "fidelity": {"dx": 0.4, "nodes": 162})"),
+              ElementsAre(AllOf(HasSubstr("V = 30"), HasSubstr("15.4 %"), HasSubstr("\"fluid\": \"stokes\""),
+                                HasSubstr("dx of at most 0.359")),
                           HasSubstr("outside 0.1 to 20")));
   EXPECT_THAT(
-      warnings_of(R"("fluid": "quasisteady", "V": 100, "fidelity": "fast")"),
-      ElementsAre(AllOf(HasSubstr("V = 100"), HasSubstr("% too large"), HasSubstr("dx of at most 0.0707")),
+      warnings_of(R"("fluid": "quasisteady", "V": 100, "fidelity": {"dx": 0.4, "nodes": 162})"),
+      ElementsAre(AllOf(HasSubstr("V = 100"), HasSubstr("22 % too large"), HasSubstr("dx of at most 0.328")),
                   HasSubstr("outside 0.1 to 20")));
-  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 10, "fidelity": "fast")"), IsEmpty());
+  EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 20, "fidelity": "fast")"), IsEmpty());
   EXPECT_THAT(warnings_of(R"("fluid": "quasisteady", "V": 10, "fidelity": {"preset": "paper", "dx": 0.2})"),
               ElementsAre(HasSubstr("18 %")));
   EXPECT_THAT(warnings_of(R"("fluid": "stokes", "V": 100, "fidelity": "fast")"),

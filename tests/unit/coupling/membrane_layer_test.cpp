@@ -45,16 +45,17 @@ TEST(MembraneLayer, ItsConstantsAreTheResultsOfTheStudy) {
   for (std::string line; std::getline(results, line);) {
     std::ranges::replace(line, '|', ' ');
     std::istringstream cells(line);
-    double V, excess, slip, C, tension;
-    if (!(cells >> V >> excess >> slip >> C >> tension)) continue;
+    double V, viscosity, fluidity, slip, C, tension;
+    if (!(cells >> V >> viscosity >> fluidity >> slip >> C >> tension)) continue;
     ++rows;
     const LayerCorrections corrections = layer_corrections(V);
     EXPECT_NEAR(corrections.slip, slip, 1e-12) << "V = " << V;
     EXPECT_NEAR(corrections.tension, tension, 1e-12) << "V = " << V;
     EXPECT_NEAR(corrections.kink * psi, std::max(0., C), 1e-12) << "V = " << V;
     if (V == 1) continue;
-    const double sharp = 1 / V + (1 - 1 / V) * smoothed_heaviside(-0.5 + 0.3, 0.5);
-    EXPECT_NEAR(layer_viscosity(V)(-0.5), 1 / sharp + 2 * excess * (V - 1), 1e-9) << "V = " << V;
+    const ViscosityProfile R = layer_viscosity(V);
+    EXPECT_NEAR(R(-0.5, 0), V + 2 / 1.3 * viscosity * (V - 1), 1e-9) << "V = " << V;
+    EXPECT_NEAR(1 / R(1, 0), 1 + fluidity * (1 - 1 / V), 1e-9) << "V = " << V;
   }
   EXPECT_EQ(rows, 10);
 }
@@ -63,7 +64,7 @@ TEST(MembraneLayer, AtEqualViscositiesOnlyTheKinkIsLeft) {
   EXPECT_EQ(layer_corrections(1).slip, 0);
   EXPECT_EQ(layer_corrections(1).tension, 0);
   EXPECT_GT(layer_corrections(1).kink, 0);
-  for (double z = -3; z < 3; z += 0.1) EXPECT_EQ(layer_viscosity(1)(z), 1);
+  for (double z = -3; z < 3; z += 0.1) EXPECT_EQ(layer_viscosity(1)(z, 0.3), 1);
 }
 
 TEST(MembraneLayer, TheKinkTermNeverTakesPowerFromTheFluid) {
@@ -76,15 +77,15 @@ TEST(MembraneLayer, LayerOfAThinInnerFluidIsTheMirrorImage) {
     EXPECT_NEAR(layer_corrections(V).tension, -layer_corrections(1 / V).tension, 1e-12);
     EXPECT_NEAR(layer_corrections(V).kink, layer_corrections(1 / V).kink / V, 1e-12);
     for (double z = -3; z < 3; z += 0.1)
-      EXPECT_NEAR(layer_viscosity(V)(z), V * layer_viscosity(1 / V)(-z), 1e-12);
+      EXPECT_NEAR(layer_viscosity(V)(z, 0.3), V * layer_viscosity(1 / V)(-z, -0.3), 1e-12);
   }
 }
 
 // To the last bit: rows of ambient fluid are told by a ratio of 1.
 TEST(MembraneLayer, ViscosityIsThatOfEitherFluidBeyondItsReach) {
   for (double V : {0.05, 0.18, 4.0, 100.0}) {
-    EXPECT_EQ(layer_viscosity(V)(-kLayerReach), V);
-    EXPECT_EQ(layer_viscosity(V)(kLayerReach), 1);
+    EXPECT_EQ(layer_viscosity(V)(-kLayerReach, 0.3), V);
+    EXPECT_EQ(layer_viscosity(V)(kLayerReach, 0.3), 1);
   }
 }
 

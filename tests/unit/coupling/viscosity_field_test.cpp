@@ -114,20 +114,22 @@ TEST(ViscosityField, SphereIsOverfilledByTheEffectOfSmoothingOnly) {
   }
 }
 
-TEST(ViscosityField, HasTheProfileOfTheDistanceToASphere) {
+TEST(ViscosityField, HasTheProfileOfDistanceAndCurvatureOfASphere) {
   const Icosphere sphere = make_icosphere(4);
   constexpr double kDx = 0.1;
   const GridGeometry grid{.origin = Vec3::Constant(0.5 * kDx - 1.6), .dx = kDx};
   ScalarField viscosity;
   viscosity.reset(box_from_zero({32, 32, 32}));
-  const ViscosityProfile profile = [](double z) { return 5 + 2 * std::tanh(z) * (std::abs(z) < 2); };
+  const ViscosityProfile profile = [](double z, double curvature) {
+    return 5 + 20 * curvature * std::tanh(z) * (std::abs(z) < 2);
+  };
   ViscosityField(grid, sphere.mesh, Orbits::without_symmetry(sphere.mesh.vertex_count()))
       .update(sphere.directions, profile, viscosity);
   for_each_row_in_order(viscosity.box(), [&](int y, int z) {
     for (int x = 0; x < 32; ++x) {
       const double distance = ((grid.origin + kDx * Vec3(x, y, z)).norm() - 1) / kDx;
       if (std::abs(distance) < 1.9) {
-        EXPECT_NEAR(viscosity.row(0, y, z)[x], profile(distance), 0.05);
+        EXPECT_NEAR(viscosity.row(0, y, z)[x], profile(distance, kDx), 0.05);
       }
       if (std::abs(distance) > 2.5) {
         EXPECT_EQ(viscosity.row(0, y, z)[x], 5);

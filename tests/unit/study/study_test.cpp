@@ -195,11 +195,11 @@ TEST(Study, WhatTheSolverChoosesIsSaid) {
 }
 
 TEST(Study, DoubtfulSettingsAreSaidBeforeTheRun) {
-  const auto study = parse_study(conditional(R"({"Ca": 0.1, "fidelity": "fast"})",
-                                             R"({"V": [1, 30], "fluid": ["stokes", "quasisteady"]})"))
+  const auto study = parse_study(conditional(R"({"Ca": 0.1, "fidelity": {"dx": 0.4, "nodes": 162}})",
+                                             R"({"V": [1, 30], "fluid": ["unsteady", "quasisteady"]})"))
                          .value;
   ASSERT_TRUE(study);
-  EXPECT_THAT(study->notes, Contains(HasSubstr("at 1 of 4 points warning: V = 30 on a lattice of dx = 0.2")));
+  EXPECT_THAT(study->notes, Contains(HasSubstr("at 2 of 4 points warning: V = 30 on a lattice of dx = 0.4")));
 }
 
 TEST(Study, ValueThatIsValidForAnotherShapeAloneSaysForWhich) {

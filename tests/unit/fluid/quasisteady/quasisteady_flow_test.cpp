@@ -34,7 +34,7 @@ struct RedCell : ShearedCapsule {
   RedCell() : ShearedCapsule("biconcave") {}
 };
 
-constexpr QuasisteadyOptions kOptions{.dx = 0.2, .box = 12.8, .Re = 0.05, .V = 4, .tolerance = 1e-7};
+constexpr QuasisteadyOptions kOptions{.dx = 0.2, .box = 25.6, .Re = 0.05, .V = 4, .tolerance = 1e-7};
 
 template <class T>
 Points velocities(const ShearedCapsule& cell, Orbits orbits, const QuasisteadyOptions& options) {
@@ -142,21 +142,19 @@ double mean_contraction(const std::vector<double>& errors) { return std::pow(err
 
 // Measured at dx = 0.2 for the first cycle and the mean of five:
 //     V        red cell        sphere
-//     0.02     0.14, 0.43      0.07, 0.25
-//     0.05     0.13, 0.30      0.07, 0.18
-//     0.1      0.13, 0.24      0.07, 0.17
-//     0.2      0.19, 0.33      0.08, 0.29
-//     1        0.11, 0.33      0.15, 0.32
-//     4        0.08, 0.30      0.07, 0.28
-//     10       0.07, 0.25      0.02, 0.18
-//     20       0.09, 0.30      0.02, 0.22
-//     50       0.12, 0.32      0.03, 0.29
+//     0.05     0.14, 0.28      0.06, 0.17
+//     0.2      0.12, 0.20      0.05, 0.17
+//     0.3      0.19, 0.33      0.07, 0.28
+//     1        0.12, 0.34      0.15, 0.32
+//     4        0.08, 0.31      0.07, 0.30
+//     10       0.07, 0.32      0.05, 0.30
+//     20       0.08, 0.35      0.07, 0.30
 TEST(QuasisteadyFlow, FirstCycleLeavesAFifthOfTheErrorAndLaterOnesAThird) {
   for (double V : {0.05, 0.2, 1.0, 4.0, 10.0, 20.0})
     for (double dx : {0.2, 0.1}) {
       const auto errors = errors_of_cycles(RedCell(), V, dx);
       EXPECT_LT(first_contraction(errors), V < 1 ? 1. / 5 : 1. / 6) << "V = " << V << ", dx = " << dx;
-      EXPECT_LT(mean_contraction(errors), 0.35) << "V = " << V << ", dx = " << dx;
+      EXPECT_LT(mean_contraction(errors), 0.4) << "V = " << V << ", dx = " << dx;
     }
 }
 
@@ -182,11 +180,16 @@ double error_after_steps_of_one_cycle(const ShearedCapsule& capsule, double V, i
   return difference(u, exact);
 }
 
-// Measured after 60 steps: at most 1e-6 up to V = 4, 3e-5 at V = 20.
+// Measured after 60 steps: at most 1e-6 up to V = 10; 8e-6 for the sphere, and 2e-3 for the red cell, at V
+// = 20.
 TEST(QuasisteadyFlow, StepsOfOneCycleConvergeWhileTheMembraneIsAtRest) {
-  for (double V : {0.05, 0.1, 0.5, 1.0, 4.0})
-    EXPECT_LT(error_after_steps_of_one_cycle(ShearedCapsule("sphere"), V, 60), 1e-5) << "V = " << V;
+  for (const char* shape : {"sphere", "biconcave"}) {
+    const ShearedCapsule capsule(shape);
+    for (double V : {0.05, 0.1, 0.5, 1.0, 4.0, 10.0})
+      EXPECT_LT(error_after_steps_of_one_cycle(capsule, V, 60), 1e-5) << "V = " << V << ", " << shape;
+  }
   EXPECT_LT(error_after_steps_of_one_cycle(ShearedCapsule("sphere"), 20, 60), 1e-4);
+  EXPECT_LT(error_after_steps_of_one_cycle(ShearedCapsule("biconcave"), 20, 60), 5e-3);
 }
 
 TEST(QuasisteadyFlow, ReportsAReasonForACapsuleOutsideOfTheDomain) {
