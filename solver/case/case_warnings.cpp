@@ -82,13 +82,13 @@ std::string membrane_without_bending(const Case& c) {
 /// Two walls and the periodic images of the capsule change Q by a part that is proportional to 1/box³.
 /// Measured in boxes of 6.4 and 12.8 (studies/cross_validation): the larger numbers are those of red cells.
 std::string confinement(const Case& c) {
-  constexpr double kWide = 10, kMeasuredBox = 12.8, kMinChange = 0.001, kMaxChange = 0.015;
+  constexpr double kWide = 10, kMeasuredBox = 12.8, kMinChange = 0.0017, kMaxChange = 0.035;
   if (!c.has_grid() || c.fidelity.box >= kWide) return "";
   const double narrower = std::pow(kMeasuredBox / c.fidelity.box, 3);
   return "a box of " + rounded(c.fidelity.box) +
          " a: its walls change Q = D_xy (cos 2 theta, sin 2 theta) by about " +
          rounded(kMinChange * narrower, 2) + " to " + rounded(kMaxChange * narrower, 2) +
-         " (studies/cross_validation); for an unbounded fluid use a box of 12.8 or more, or \"fluid\": "
+         " (studies/cross_validation); for an unbounded fluid use a box of 25.6 or more, or \"fluid\": "
          "\"stokes\"";
 }
 

@@ -70,7 +70,7 @@ TEST(CaseWarnings, ANarrowBoxSaysHowMuchItsWallsChange) {
     return warnings_of(R"("fluid": "quasisteady", "fidelity": {"dx": 0.2, "nodes": 642, "box": )" + size +
                        "}");
   };
-  EXPECT_THAT(box("6.4"), ElementsAre(AllOf(HasSubstr("a box of 6.4 a"), HasSubstr("0.008 to 0.12"))));
+  EXPECT_THAT(box("6.4"), ElementsAre(AllOf(HasSubstr("a box of 6.4 a"), HasSubstr("0.014 to 0.28"))));
   EXPECT_THAT(box("12.8"), IsEmpty());
   EXPECT_THAT(warnings_of(R"("fluid": "stokes")"), IsEmpty());
 }
