@@ -75,7 +75,7 @@ struct Case {
   std::vector<double> law_constants;            ///< in the order of law->constants
   double Ca = 0;   ///< mu_a a k / E_s (eq. 1); each strain law defines its modulus E_s
   double V = 1;    ///< viscosity ratio, inner over outer (eq. 3)
-  double Re = 0;   ///< rho k a^2 / mu_a (eq. 4); 0 for the fluid stokes, and quasisteady may have 0
+  double Re = 0;   ///< rho k a^2 / mu_a (eq. 4); always 0 for stokes, and may be 0 for quasisteady
   double E_b = 0;  ///< E_B / (a^2 E_s) (eq. 2)
   BendingModel bending = BendingModel::variational;
   SpontaneousCurvature c0 = InitialCurvature{};

@@ -79,14 +79,16 @@ void CaseReader::read_parameter(const Parameter& parameter) {
 void CaseReader::settle_fluid() {
   const json asked = document_.value("fluid", json("auto"));
   const json fidelity = document_.value("fidelity", json());
+  const bool has_Re = document_.contains("Re");
+  if (!has_Re && needs_inertia(Fluid::quasisteady, fidelity)) case_.Re = kPaperRe;
   const FluidChoice choice = choose_fluid(case_.Re, fidelity);
   if (!has_fluid_) case_.fluid = choice.fluid;
   if (asked == "auto") choices_.push_back({"fluid", asked, to_string(case_.fluid), choice.reason});
   if (!case_.has_grid()) return leave_out_inertia();
   if (!needs_inertia(case_.fluid, fidelity)) return;
-  if (!document_.contains("Re"))
+  if (!has_Re)
     case_.Re = kPaperRe;
-  else if (case_.Re == 0)
+  else if (case_.Re == 0 && !has_issue("/Re"))
     add_issue(
         "/Re",
         "is 0, and this flow model needs inertia; give Re > 0, or take the fluid quasisteady or stokes");

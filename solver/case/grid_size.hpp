@@ -8,7 +8,8 @@
 namespace capstan {
 
 /// Edge of the domain where the case file gives none. On a composite grid it costs a tenth more time than
-/// half of it, and walls change Q by an eighth (studies/cross_validation); elsewhere it is that of the paper.
+/// half of it, and the effect of its walls on Q is a sixth to a tenth (studies/cross_validation); elsewhere
+/// it is that of the paper.
 double usual_box(const Case& c);
 
 /// Semi-axes / a of a spheroid with the volume of the unit sphere; 1 and 1 for other shapes.

@@ -10,8 +10,8 @@ using nlohmann::ordered_json;
 /// The default of the parameter; null if it depends on other parameters.
 ordered_json default_of(const Parameter& parameter) {
   if (parameter.key == "fluid") return "auto";
-  const bool depends_on_others =
-      !parameter.required.empty() || parameter.group == "fidelity" || parameter.key == "at_most";
+  const bool depends_on_others = !parameter.required.empty() || parameter.group == "fidelity" ||
+                                 parameter.key == "Re" || parameter.key == "at_most";
   return depends_on_others ? ordered_json() : parameter.value->write(default_case());
 }
 

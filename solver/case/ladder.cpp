@@ -16,7 +16,7 @@ struct Rung {
   int nodes;
   double box_parts;     ///< 12.8 / dx of a lattice
   double usual_error;   ///< of Q as estimated from the next coarser rung; median of random scenes
-                        ///< (studies/calibration)
+                        ///< (studies/calibration; lattices with numerics 9)
   double of_red_cells;  ///< the same
 };
 

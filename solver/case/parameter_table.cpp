@@ -53,7 +53,7 @@ bool has_equal_steps(const Case& c) { return c.fidelity.stepper == Stepper::adam
 Condition needs_aspect() { return {has_aspect, "only oblate and prolate shapes have an aspect", "shape"}; }
 Condition needs_bending() { return {has_bending, "E_b is 0, so there is no bending resistance", "E_b"}; }
 /// With boundary integrals Re may be given. It is ignored, and this is recorded in the choices of the case.
-Condition needs_inertia() { return {has_grid, ""}; }
+Condition takes_inertia() { return {has_grid, ""}; }
 Condition needs_grid() { return {has_grid, "boundary integrals have no grid"}; }
 Condition needs_own_time_step() {
   return {chooses_time_step, "the transient flow's time step is set by the lattice"};
@@ -109,7 +109,7 @@ std::vector<Parameter> number_parameters() {
        .description = "Viscosity ratio: inside over outside."},
       {.key = "Re",
        .value = number({0, 10}, &Case::Re),
-       .conditions = {needs_inertia()},
+       .conditions = {takes_inertia()},
        .description =
            "Reynolds number: rho k a^2 / mu_a. By default 0; 0.05 with unsteady, transient and the scheme of "
            "the paper, which need inertia. At most 0.1, and without effect, with the fluid stokes."},

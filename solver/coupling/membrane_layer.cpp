@@ -20,7 +20,7 @@ struct Bump {
 
 constexpr double kHalfWidth = 0.6, kShift = 0.1;  // of the jump, in cells
 constexpr Bump kViscousBump{-0.5, 1.3}, kFluidBump{1, 2};
-/// Of the two excesses with curvature.
+/// Both excesses grow as exp(kGrowth kappa z).
 constexpr double kGrowth = 2;
 
 struct Layer {

@@ -18,11 +18,11 @@
 // integral 1, for -1.15 < z < 0.15 and 0 < z < 2. With the right `viscosity` and `fluidity` no stress along
 // the membrane is missing, and no shear stress makes the outer fluid slip.
 //
-// These two conditions leave the shape of the jump and of the bumps free. The shape decides on the error of
+// These two conditions leave the shape of the jump and of the bumps free. The shape determines the error of
 // second order in dx. It was found by search: of more than a hundred shapes this one has the smallest errors
-// of D_xy and theta at dx = 0.2 a, over eleven capsules of V = 3 to 12. So was the factor e = exp(2 kappa z)
-// with the mean curvature kappa, 1 on a flat membrane. studies/flat_membrane/README.md has the errors, also
-// those of capsules that were not part of the search.
+// of D_xy and theta at dx = 0.2 a, over eleven capsules of V = 3 to 12. The factor e = exp(2 kappa z) with
+// the mean curvature kappa, 1 on a flat membrane, was found in the same way. studies/flat_membrane/README.md
+// has the errors, also those of capsules that were not part of the search.
 //
 // Slip. Where the kernel overlaps both fluids, f makes the outer fluid slip by a distance that is
 // proportional to f. Force dipoles cancel it. Instead of the force F of a vertex, F - div [s (F_t n + n F_t)]

@@ -84,7 +84,7 @@ def print_models(rows):
     lines = [[r["scene"], r["setting"], r["reference"], shown(r["error_Q"]), shown(r["error_D"]),
               shown(r["error_theta"] / math.pi if r["error_theta"] is not None else None)] for r in rows if r["knob"] == "model"]
     if lines:
-        print("## The two models\n\nDistance of their references: walls, inertia (Re = 0.05) and what is left of both errors.\n")
+        print("## The two models\n\nDistance of their references: walls and what is left of both errors.\n")
         table(["scene", "lattice", "boundary integrals", "Q", "D_xy", "θ/π"], lines)
 
 

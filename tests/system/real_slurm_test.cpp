@@ -130,7 +130,8 @@ TEST_F(RealSlurm, RunOfALostNodeGoesOnElsewhereFromItsCheckpoint) {
   slurm_->lose_node(node);
   ASSERT_TRUE(wait_until([&] { return only_case(client, id)["attempt"] == 2; })) << why(client, id);
   EXPECT_NE(node_of(client, id), node);
-  EXPECT_THAT(file_bytes(run.log_file()), HasSubstr("resumed at step"));
+  EXPECT_TRUE(
+      wait_until([&] { return file_bytes(run.log_file()).find("resumed at step") != std::string::npos; }));
   const ordered_json first = only_case(client, id)["attempts"][0];
   EXPECT_EQ(first["ending"], "interrupted");
   EXPECT_THAT(first["reason"].get<std::string>(), HasSubstr("its node failed"));
@@ -146,7 +147,8 @@ TEST_F(RealSlurm, RunAtItsTimeLimitWritesACheckpointAndAnotherJobResumesIt) {
   EXPECT_EQ(first["reason"], "interrupted, a checkpoint is written");
   node_of(client, id);
   const RunDirectory run(data_.path() / "runs" / only_case(client, id)["id"].get<std::string>());
-  EXPECT_THAT(file_bytes(run.log_file()), HasSubstr("resumed at step"));
+  EXPECT_TRUE(
+      wait_until([&] { return file_bytes(run.log_file()).find("resumed at step") != std::string::npos; }));
 }
 
 TEST_F(RealSlurm, CaseWaitsForDrainedNodesAndSaysSoUntilTheyAreBack) {

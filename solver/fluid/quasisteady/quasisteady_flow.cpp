@@ -21,7 +21,7 @@ constexpr int kMaxCycles = 100;
 constexpr double kMinContraction = 0.2, kMaxContraction = 0.95;
 // A W-cycle, except that each of the three coarsest grids is visited once: a second visit would take more
 // time than it saves. In thin fluid there are twice as many sweeps: with two, errors grow from step to step
-// at V = 0.05. With four, they grow around a red cell of V = 4 and more.
+// at V = 0.05. With four sweeps, errors grow around a red cell of V = 4 and more.
 CycleShape cycle_shape(double V) {
   constexpr double kThin = 0.25;
   return {.pre = 0, .post = V < kThin ? 4 : 2, .visits = 2, .single_visits = 3, .coarsest = 10};

@@ -53,5 +53,5 @@ def block():
     rows.sort(key=lambda row: row[0])
     return Block("spheres", "Spheres against spherical harmonics",
                  ["sphere", "fluid", "fidelity", "kt", "D_xy", "±", "reference", "difference", "θ/π", "±", "reference"], rows, fig,
-                 "`steady` is kt = 10 of our run. † The run warns that its membrane wrinkles. The lattice has walls at 6.4 a and Re = 0.05, the "
-                 f"reference neither. With boundary integrals {sum(covered)} of {len(covered)} differences of D_xy are within ±.")  # fmt: skip
+                 "`steady` is kt = 10 of our run. † The run warns that its membrane wrinkles. The lattice has walls at 12.8 a, the "
+                 f"reference has none. With boundary integrals {sum(covered)} of {len(covered)} differences of D_xy are within ±.")  # fmt: skip

@@ -282,7 +282,11 @@ TEST(ParseCase, ModelsThatNeedInertiaHaveThatOfThePaperAndOthersNone) {
     EXPECT_EQ(valid(file).Re, 0.05) << file;
     file["Re"] = 0;
     EXPECT_THAT(pointers_of_issues(file), ElementsAre("/Re")) << file;
+    file["Re"] = -1;
+    EXPECT_THAT(pointers_of_issues(file), ElementsAre("/Re")) << file;
   }
+  EXPECT_EQ(valid({{"Ca", 0.1}, {"fidelity", {{"preset", "paper"}, {"scheme", "tuned"}}}}).Re, 0);
+  EXPECT_THAT(parse_case({{"Ca", 0.1}, {"fidelity", "paper"}}).choices.at(0).reason, HasSubstr("Re = 0.05"));
 }
 
 TEST(ParseCase, DomainIsWideOnACompositeGridAndThatOfThePaperElsewhere) {
