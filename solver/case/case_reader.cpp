@@ -126,21 +126,19 @@ void CaseReader::choose_latest_end() {
 void CaseReader::read_fidelity() {
   case_.fidelity = settings_for(case_, *find_preset("standard"));
   const auto fidelity = document_.find("fidelity");
-  if (fidelity == document_.end()) {
-    case_.fidelity.box = usual_box(case_);
-  } else if (!fidelity->is_object()) {
+  if (fidelity != document_.end() && !fidelity->is_object()) {
     start_from_preset("/fidelity", *fidelity);
-    case_.fidelity.box = usual_box(case_);
-  } else {
+  } else if (fidelity != document_.end()) {
     if (const auto preset = fidelity->find("preset"); preset != fidelity->end())
       start_from_preset("/fidelity/preset", *preset);
     const double spacing = case_.fidelity.dx;
     for (const Parameter& parameter : parameters())
       if (parameter.group == "fidelity") read_parameter(parameter);
     if (!fidelity->contains("tolerance")) adapt_tolerance(case_, spacing);
-    if (!fidelity->contains("box")) case_.fidelity.box = usual_box(case_);
     check_unknown_keys("/fidelity", *fidelity, keys_of_group("fidelity"));
   }
+  const bool has_box = fidelity != document_.end() && fidelity->contains("box");
+  if (case_.has_grid() && !has_box) case_.fidelity.box = usual_box(case_);
   if (case_.fidelity.error > 0 && has_ladder(case_))
     choose_rung();
   else

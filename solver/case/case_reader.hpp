@@ -51,7 +51,7 @@ class CaseReader {
   const nlohmann::json& document_;
   Issues& issues_;
   Choices& choices_;
-  Case case_ = default_case();
+  Case case_;
   bool has_fluid_ = false;  ///< the file gives the flow model, and it is not "auto"
 };
 

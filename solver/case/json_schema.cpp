@@ -12,7 +12,7 @@ ordered_json default_of(const Parameter& parameter) {
   if (parameter.key == "fluid") return "auto";
   const bool depends_on_others = !parameter.required.empty() || parameter.group == "fidelity" ||
                                  parameter.key == "Re" || parameter.key == "at_most";
-  return depends_on_others ? ordered_json() : parameter.value->write(default_case());
+  return depends_on_others ? ordered_json() : parameter.value->write(Case{});
 }
 
 ordered_json schema_of(const Parameter& parameter) {

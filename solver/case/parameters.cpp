@@ -33,8 +33,6 @@ const std::vector<std::string_view>& case_keys() {
   return keys;
 }
 
-Case default_case() { return {}; }
-
 nlohmann::ordered_json to_json(const Case& c) {
   nlohmann::ordered_json document;
   for (const Parameter& parameter : parameters()) {

@@ -56,7 +56,4 @@ const std::vector<std::string_view>& scalar_parameters();
 /// All keys of a case: the scalar parameters and the groups.
 const std::vector<std::string_view>& case_keys();
 
-/// The value of a case before its file is read: the defaults.
-Case default_case();
-
 }  // namespace capstan

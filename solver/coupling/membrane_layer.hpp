@@ -48,7 +48,7 @@
 // alone is left, 0.128. For V < 1 the more viscous fluid is outside, and the layer is the mirror image of
 // that for 1/V:
 //   R(z, kappa; V) = V R(-z, -kappa; 1/V),   s(V) = -s(1/V),   t(V) = -t(1/V),   C(V) = C(1/V)/V.
-// Above V = 20 and below 0.05 C would have to be negative; then it is 0.
+// Above V = 20 and below 0.05 the equations give a negative C; 0 is used instead.
 //
 // What is left of first order (columns on the right of studies/flat_membrane/results.md) differs from one
 // direction of n to the other. At V = 5, root mean squares: a strain along the membrane makes the fluid slip
